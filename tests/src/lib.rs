@@ -1,0 +1,22 @@
+//! Oracles: what the tests judge with.
+//!
+//! Nothing in here calls what it judges. Poses come from a plain product of 4×4 matrices, Jacobians from the same
+//! product in dual numbers, both straight from the rows of `data/arms.json`, whose strings are evaluated here as well.
+//! The scores of inverse solutions count as the reference's own scorer does.
+//!
+//! ```text
+//! data/*.json ► reference ► product (f64, dual) ► pose, Jacobian, reach
+//!                    │
+//!                    ├► score: solutions against the listed ones
+//!                    └► dh: the same table as `.dh` text, for arms that `robots` does not declare
+//! ```
+
+pub mod dh;
+pub mod dual;
+pub mod expression;
+pub mod pose;
+pub mod product;
+pub mod reference;
+pub mod sample;
+pub mod score;
+pub mod seeds;
