@@ -145,3 +145,97 @@ impl Angle {
 fn root_of_quarters(count: i128) -> Real {
     Ratio::new(count, 4).map_or(Real::ZERO, |square| Real::from_ratio(square).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn whole(value: i64) -> Real {
+        Real::from_i64(value)
+    }
+
+    fn ratio(num: i128, den: i128) -> Ratio {
+        Ratio::new(num, den).unwrap()
+    }
+
+    fn exact(num: i128, den: i128) -> Scalar {
+        Scalar::Exact(ratio(num, den))
+    }
+
+    #[test]
+    fn quarter_turns_are_known() {
+        let degrees = |value| Angle::from_degrees(Ratio::integer(value));
+        for (value, quarters) in
+            [(0, 0), (90, 1), (180, 2), (270, 3), (360, 0), (-90, 3), (-180, 2), (-450, 3), (990, 3)]
+        {
+            assert_eq!(degrees(value).quarters(), Some(quarters), "{value}°");
+            let (sine, cosine) = degrees(value).sin_cos();
+            let table = [(0, 1), (1, 0), (0, -1), (-1, 0)][quarters as usize];
+            assert_eq!((sine, cosine), (whole(table.0), whole(table.1)), "{value}°");
+        }
+        assert_eq!(degrees(45).quarters(), None);
+        assert_eq!(Angle::from_pi(ratio(i128::MAX, 2)).quarters(), Some(3));
+        assert_eq!(Angle::from_rad(Scalar::one()).quarters(), None);
+        assert_eq!(Angle::from_rad(Scalar::Real(Real::from_f64(1e-60).unwrap())).quarters(), Some(0));
+    }
+
+    #[test]
+    fn angles_are_reduced_to_the_half_open_turn() {
+        let max = i128::MAX;
+        for (pi, reduced) in [
+            (ratio(1, 1), ratio(1, 1)),
+            (ratio(-1, 1), ratio(1, 1)),
+            (ratio(3, 2), ratio(-1, 2)),
+            (ratio(-3, 2), ratio(1, 2)),
+            (ratio(2, 1), Ratio::ZERO),
+            (ratio(-7, 3), ratio(-1, 3)),
+            (ratio(7, 2), ratio(-1, 2)),
+            (ratio(max, 1), Ratio::ONE),
+            (ratio(1 - max, 1), Ratio::ZERO),
+            (ratio(max, max - 1), ratio(2 - max, max - 1)),
+            (ratio(-max, max - 1), ratio(max - 2, max - 1)),
+            (ratio(1 - max, max), ratio(1 - max, max)),
+        ] {
+            let rad = exact(1, 7);
+            assert_eq!(Angle { pi, rad }.reduced(), Angle { pi: reduced, rad }, "{pi}");
+        }
+    }
+
+    #[test]
+    fn angles_add_and_compare_exactly() {
+        let third = Angle::from_degrees(Ratio::integer(60));
+        assert_eq!(third.times(3), Some(Angle::from_pi(Ratio::ONE)));
+        assert_eq!(third.sub(third), Some(Angle::zero()));
+        assert_eq!(third.add(third.neg()).map(Angle::is_zero), Some(true));
+        assert_eq!(Angle::from_pi(ratio(i128::MAX, 1)).times(2), None);
+        assert_eq!(Angle::default(), Angle::zero());
+        assert!(!Angle::from_degrees(Ratio::integer(360)).is_zero());
+        let mut keys = [third.neg(), Angle::from_rad(Scalar::one()), third, Angle::zero()];
+        keys.sort();
+        assert_eq!(keys, [third.neg(), Angle::zero(), Angle::from_rad(Scalar::one()), third]);
+        // 180 does not divide it within the range: radians then, as near as can be.
+        let long = ratio(i128::MAX, 1 << 122);
+        let expected = Real::from_ratio(long) * Real::pi() / whole(180);
+        assert_eq!(Angle::from_degrees(long).to_real(), expected);
+        assert_eq!(Angle::from_degrees(Ratio::integer(90)).to_f64(), std::f64::consts::FRAC_PI_2);
+        assert_eq!(Angle::from_degrees(Ratio::integer(720)).to_f64(), 4.0 * std::f64::consts::PI);
+    }
+
+    #[test]
+    fn mirrored_angles_have_the_same_bits() {
+        let sin_cos = |degrees: i128| Angle::from_degrees(ratio(degrees, 10)).sin_cos();
+        for tenths in -1800..=1800 {
+            let (sine, cosine) = sin_cos(tenths);
+            assert_eq!(sin_cos(-tenths), (-sine, cosine));
+            assert_eq!(sin_cos(1800 - tenths), (sine, -cosine));
+            assert_eq!(sin_cos(900 - tenths), (cosine, sine));
+            assert!((sine * sine + cosine * cosine - Real::ONE).is_negligible());
+        }
+        let half = Real::ONE / whole(2);
+        assert_eq!(
+            (sin_cos(300).0, sin_cos(600).1, sin_cos(1500).0, sin_cos(-1200).1),
+            (half, half, half, -half)
+        );
+        assert_eq!(sin_cos(450).0, sin_cos(450).1);
+    }
+}

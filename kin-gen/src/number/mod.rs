@@ -14,6 +14,10 @@ mod angle;
 mod limbs;
 mod ratio;
 mod real;
+#[cfg(test)]
+mod reference;
+#[cfg(test)]
+mod tests;
 
 pub use angle::Angle;
 pub use ratio::Ratio;

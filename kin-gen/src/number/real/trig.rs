@@ -117,8 +117,10 @@ fn small_atan(height: Real, width: Real) -> Real {
     if height.is_zero() {
         return Real::ZERO;
     }
+    // Only their proportion counts; near 1 no square leaves the range.
+    let height = height.scaled(-width.exponent);
+    let mut width = width.scaled(-width.exponent);
     // The bisector of the x axis and the direction (x, y) is the direction (x + √(x² + y²), y).
-    let mut width = width;
     let square = height * height;
     let mut i = 0;
     while i < HALVINGS {
