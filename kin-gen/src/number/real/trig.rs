@@ -23,7 +23,8 @@ impl Real {
         turned(quarters, (sine, cosine))
     }
 
-    /// The angle from the x axis to the point (x, y), within (−π, π]: exact on the axes, 0 at the origin.
+    /// The angle from the x axis to the point (x, y), within (−π, π]: 0, ±π/2 and π on the axes, 0 at the origin.
+    /// So little below the negative x axis that the angle rounds to −π, it is −π.
     pub fn atan2(y: Real, x: Real) -> Real {
         let (height, width) = (y.abs(), x.abs());
         let steep = height > width;
@@ -33,7 +34,7 @@ impl Real {
         if y.negative { -size } else { size }
     }
 
-    /// `n · π + x` with one rounding, however much of it cancels. `n` must be a whole number, or at least exact.
+    /// `n · π + x` to the last bits, however much of it cancels, for `n` and `x` that are themselves exact.
     pub(in super::super) fn pi_times_plus(n: Real, x: Real) -> Real {
         let rounded = n * Real::pi();
         if rounded.signum() * x.signum() >= 0 || rounded.exponent.abs_diff(x.exponent) > 1 {
