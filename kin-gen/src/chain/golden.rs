@@ -5,7 +5,7 @@ use super::rows::{Parts, assemble};
 use super::suspect::short;
 use super::{AngleUnit, Axis, Chain, Distance, Element, Form, JointKind, Motion};
 use crate::decl::{Check, Expr};
-use crate::number::{Angle, Ratio, Real, Scalar};
+use crate::number::{Angle, Real, Scalar};
 use crate::report::Report;
 
 /// A pose: the columns of the rotation, then the position.
@@ -119,7 +119,7 @@ fn wanted(chain: &Chain, check: &Check, scope: &mut Scope<'_>, report: &mut Repo
             (tolerance, if bare { tolerance } else { default.1 })
         }
     };
-    Some(Wanted { rows: coupled(chain, &commanded)?, position: [x?, y?, z?], zyx, near, near_rotation })
+    Some(Wanted { rows: coupled(chain, &commanded), position: [x?, y?, z?], zyx, near, near_rotation })
 }
 
 fn angle(expr: &Expr, scope: &mut Scope<'_>, report: &mut Report) -> Option<Angle> {
@@ -153,24 +153,19 @@ fn tolerance(expr: &Expr, scope: &mut Scope<'_>, report: &mut Report) -> (Option
     }
 }
 
-/// Row values from commanded ones. `None` only if an exact sum of angles outgrows its representation.
-fn coupled(chain: &Chain, commanded: &[Row]) -> Option<Vec<Row>> {
+/// Row values from commanded ones.
+fn coupled(chain: &Chain, commanded: &[Row]) -> Vec<Row> {
     let mut rows = Vec::new();
     for (own, coefficients) in commanded.iter().zip(&chain.couple) {
-        rows.push(match own {
-            Row::Distance(_) => *own,
-            Row::Angle(_) => {
-                let mut sum = Angle::zero();
-                for (row, k) in commanded.iter().zip(coefficients) {
-                    if let Row::Angle(angle) = row {
-                        sum = sum.add(angle.times(*k)?)?;
-                    }
-                }
-                Row::Angle(sum)
+        let mut sum = Angle::zero();
+        for (row, k) in commanded.iter().zip(coefficients) {
+            if let Row::Angle(angle) = row {
+                sum = plus(sum, times(*angle, *k));
             }
-        });
+        }
+        rows.push(if let Row::Angle(_) = own { Row::Angle(sum) } else { *own });
     }
-    Some(rows)
+    rows
 }
 
 /// The product of base, `elements` and tool.
@@ -184,8 +179,7 @@ fn pose(chain: &Chain, elements: &[Element], rows: &[Row]) -> Pose {
             Motion::Revolute { joint, reversed, offset } => {
                 let Some(Row::Angle(row)) = rows.get(*joint) else { continue };
                 let row = if *reversed { row.neg() } else { *row };
-                let offset = chain.nominal_angle(offset);
-                pose.turn(element.axis, offset.add(row).unwrap_or_else(|| real_sum(offset, row)));
+                pose.turn(element.axis, plus(chain.nominal_angle(offset), row));
             }
             Motion::Prismatic { joint, reversed, offset } => {
                 let Some(Row::Distance(row)) = rows.get(*joint) else { continue };
@@ -201,8 +195,13 @@ fn distance_of(chain: &Chain, distance: &Distance) -> Real {
     chain.distance(distance).to_real()
 }
 
-fn real_sum(a: Angle, b: Angle) -> Angle {
-    Angle { pi: Ratio::ZERO, rad: (a.to_real() + b.to_real()).into() }
+/// A sum that falls back to 256 bits where the exact one would overflow.
+fn plus(a: Angle, b: Angle) -> Angle {
+    a.add(b).unwrap_or_else(|| Angle::from_rad((a.to_real() + b.to_real()).into()))
+}
+
+fn times(angle: Angle, k: i64) -> Angle {
+    angle.times(k).unwrap_or_else(|| Angle::from_rad((angle.to_real() * Real::from_i64(k)).into()))
 }
 
 impl Pose {

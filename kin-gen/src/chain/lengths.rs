@@ -102,18 +102,17 @@ impl Lengths {
         Some(self.list.len() - 1)
     }
 
-    /// `a2`, else `a2b`, `a2c`, … if that name is taken.
+    /// `a2`, else `a2b`, `a2c`, …; `base_z`, else `base_z2`, …: the first that is not taken.
     fn free_name(&self, wanted: &str, scope: &Scope<'_>) -> String {
         let taken = |name: &str| scope.find(name).is_some() || self.list.iter().any(|l| l.name == name);
-        if !taken(wanted) {
-            return wanted.to_string();
-        }
-        // `d2b` and its kin carry their letter already: `d2c` follows.
-        let stem =
-            wanted.strip_suffix('b').filter(|s| s.ends_with(|c: char| c.is_ascii_digit())).unwrap_or(wanted);
-        let letters = ('b'..='z').map(|c| format!("{stem}{c}"));
-        let mut numbers = (2u32..).map(|n| format!("{wanted}_{n}"));
-        letters.chain(&mut numbers).find(|name| !taken(name)).unwrap_or_default()
+        let ends_in_digit = |text: &str| text.ends_with(|c: char| c.is_ascii_digit());
+        // `d2b` of a fixed row carries its letter already: `d2c` follows.
+        let stem = wanted.strip_suffix('b').filter(|stem| ends_in_digit(stem)).unwrap_or(wanted);
+        let letters = ('b'..='z').filter(|_| ends_in_digit(stem)).map(|c| format!("{stem}{c}"));
+        let separator = if ends_in_digit(stem) { "_" } else { "" };
+        let numbers = (2u32..).map(|n| format!("{stem}{separator}{n}"));
+        let mut names = std::iter::once(wanted.to_string()).chain(letters).chain(numbers);
+        names.find(|name| !taken(name)).unwrap_or_default()
     }
 }
 

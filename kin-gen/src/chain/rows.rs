@@ -4,7 +4,7 @@ use super::eval::Allowed;
 use super::factors::motion;
 use super::lengths::{Lengths, Slot};
 use super::names::Scope;
-use super::{AngleUnit, Axis, Element, Form, Joint, JointKind};
+use super::{AngleUnit, Axis, Element, Form, Joint, JointKind, suspect};
 use crate::decl::{Cell, Column, Content, Expr, Node, Row, Table, is_joint_variable};
 use crate::number::{Ratio, Scalar};
 use crate::report::{Place, Report};
@@ -198,7 +198,10 @@ impl Rows<'_, '_> {
         let value = self.scope.constant(expr, "a limit", report)?;
         let limit = match kind {
             JointKind::Prismatic => self.scope.as_length(&value),
-            JointKind::Revolute => self.scope.as_angle(&value).map(super::measure::radians),
+            JointKind::Revolute => {
+                suspect::limit(&value, self.scope.angle_unit, expr.place, report);
+                self.scope.as_angle(&value).map(super::measure::radians)
+            }
         };
         limit.map_err(|fault| fault.report(expr.place, report)).ok()
     }

@@ -12,6 +12,9 @@ const NEAR_DEGREES: f64 = 1.75e-4;
 /// More than a turn: nobody writes that in a table.
 const TURN: f64 = 6.3;
 
+/// Wrists do turn several times, but not that often.
+const LIMIT: f64 = 40.0;
+
 /// Warns of an angle that is almost a quarter turn, or that looks as if it were in the other unit.
 pub(super) fn angle(value: &Value, angle: Angle, unit: AngleUnit, place: Place, report: &mut Report) {
     if angle.quarters().is_some() {
@@ -56,6 +59,22 @@ pub(super) fn angle(value: &Value, angle: Angle, unit: AngleUnit, place: Place, 
         message,
         format!("write `{exact}` for the exact angle: it makes the arm's formulas far simpler"),
     );
+}
+
+/// Warns of a limit that looks as if it were in degrees.
+pub(super) fn limit(value: &Value, unit: AngleUnit, place: Place, report: &mut Report) {
+    if let (AngleUnit::Radian, Constant::Bare(Scalar::Exact(bare))) = (unit, &value.constant) {
+        let float = Real::from_ratio(*bare).to_f64();
+        if bare.is_integer() && float.abs() > LIMIT {
+            turned(float, place, report);
+        }
+    }
+}
+
+fn turned(float: f64, place: Place, report: &mut Report) {
+    let message = format!("{} radians are more than a turn", short(float));
+    let help = format!("write `{}deg` if degrees are meant, or change the header to `deg`", short(float));
+    report.warn(place, message, help);
 }
 
 /// The number of quarter turns that an angle almost is, if not 0, and the difference.

@@ -54,7 +54,7 @@ pub fn parse(tokens: &[Token], report: &mut Report) -> Option<Decl> {
 
 /// Attributes, visibility, `struct` and the name.
 fn shell(cursor: &mut Cursor<'_>, report: &mut Report) -> Option<Spanned<String>> {
-    skip_attributes(cursor);
+    skip_attributes(cursor, report);
     if cursor.eat("pub")
         && (cursor.are(&["(", "crate"])
             || cursor.are(&["(", "super"])
@@ -77,11 +77,11 @@ fn shell(cursor: &mut Cursor<'_>, report: &mut Report) -> Option<Spanned<String>
 }
 
 /// Walks over `#[…]` and `#![…]`; a documentation comment arrives as one of these.
-fn skip_attributes(cursor: &mut Cursor<'_>) {
+fn skip_attributes(cursor: &mut Cursor<'_>, report: &mut Report) {
     while cursor.are(&["#", "["]) || cursor.are(&["#", "!", "["]) {
         cursor.next();
         cursor.eat("!");
-        if cursor.group("[", &mut Report::new()).is_none() {
+        if cursor.group("[", report).is_none() {
             return;
         }
     }
@@ -166,7 +166,7 @@ fn header_complete(decl: &Decl, place: Place, report: &mut Report) {
 
 fn statements(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) {
     loop {
-        skip_attributes(cursor);
+        skip_attributes(cursor, report);
         if cursor.is_empty() {
             return;
         }

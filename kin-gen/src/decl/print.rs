@@ -199,7 +199,9 @@ impl Display for Expr {
                         (_, Sign::Plus) => f.write_str(" + ")?,
                         (_, Sign::Minus) => f.write_str(" - ")?,
                     }
-                    operand(f, term, 1)?;
+                    // Only the first term may begin with its own sign.
+                    let signed = i > 0 && matches!(term.node, Node::Neg(_));
+                    operand(f, term, if signed { 2 } else { 1 })?;
                 }
                 Ok(())
             }

@@ -27,7 +27,7 @@ fn one(text: &str, ranges: &[Range<usize>], diagnostic: &Diagnostic) -> String {
         Severity::Warning => "warning",
     };
     let margin = " ".repeat(number.to_string().len());
-    let line = text.get(line_start..line_end).unwrap_or("").trim_end();
+    let line = text.get(line_start..line_end).unwrap_or("").trim_end().replace('\t', " ");
     let mut out = String::new();
     // Writing to a String cannot fail.
     let _ = writeln!(out, "{severity}: {}", diagnostic.message);

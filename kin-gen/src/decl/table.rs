@@ -21,15 +21,26 @@ pub(super) struct Read {
 
 /// Reads the table that starts at the next token, a bar.
 pub(super) fn table(cursor: &mut Cursor<'_>, report: &mut Report) -> Read {
-    let tokens = region(cursor);
-    let head = header_end(tokens);
+    let (bars, line) = region(cursor.rest());
+    let mut tokens = &cursor.rest()[..bars];
+    let mut head = header_end(tokens);
+    let mut found = rows_by_count(&tokens[head..], bars_in(&tokens[..head]).saturating_sub(1));
+    if !lines_agree(tokens, head) {
+        found = None;
+    }
+    if found.is_none() {
+        // A row that does not end with a bar takes the rest of its line with it.
+        tokens = &cursor.rest()[..line];
+        head = header_end(tokens);
+    }
     let (header, body) = tokens.split_at(head);
-    let place = place_of(header);
-    let columns = columns(header, report);
-    let mut table = Table { columns, rows: Vec::new(), place };
-    let (rows, mut whole) = match rows_by_count(body, table.columns.len()) {
-        Some(rows) if lines_agree(tokens, table.columns.len()) => (rows, true),
-        _ => rows_by_line(header, body, &table, report),
+    for _ in tokens {
+        cursor.next();
+    }
+    let mut table = Table { columns: columns(header, report), rows: Vec::new(), place: place_of(header) };
+    let (rows, mut whole) = match found {
+        Some(rows) => (rows, true),
+        None => rows_by_line(header, body, &table, report),
     };
     for row in rows {
         if is_dashes(row) {
@@ -57,22 +68,15 @@ fn place_of(tokens: &[Token]) -> Place {
     }
 }
 
-/// Takes the tokens up to the last bar before the next `;`, and what stands on the same line as that bar.
-fn region<'a>(cursor: &mut Cursor<'a>) -> &'a [Token] {
-    let tokens = cursor.rest();
+/// The number of tokens up to the last bar before the next `;`, and up to the end of that bar's line.
+fn region(tokens: &[Token]) -> (usize, usize) {
     let stop = tokens.iter().position(|t| t.is(";")).unwrap_or(tokens.len());
     let last = tokens[..stop].iter().rposition(is_bar).unwrap_or(0);
-    let mut end = last + 1;
-    if lines_known(&tokens[..end]) {
-        let line = tokens[last].line;
-        while end < stop && tokens[end].line == line {
-            end += 1;
-        }
+    if !lines_known(&tokens[..=last]) {
+        return (last + 1, last + 1);
     }
-    for _ in 0..end {
-        cursor.next();
-    }
-    &tokens[..end]
+    let rest = tokens[last + 1..stop].iter().take_while(|t| t.line == tokens[last].line).count();
+    (last + 1, last + 1 + rest)
 }
 
 /// Just after the bar that ends the header.
@@ -87,14 +91,14 @@ fn header_end(tokens: &[Token]) -> usize {
             && tokens[..by_line].windows(2).filter(|p| is_bar(&p[0]) && is_bar(&p[1])).count() > 0
         {
             let rows_fit =
-                rows_by_count(&tokens[by_bars..], bars(&tokens[..by_bars]).saturating_sub(1)).is_some();
+                rows_by_count(&tokens[by_bars..], bars_in(&tokens[..by_bars]).saturating_sub(1)).is_some();
             return if rows_fit { by_bars } else { by_line };
         }
     }
     by_bars
 }
 
-fn bars(tokens: &[Token]) -> usize {
+fn bars_in(tokens: &[Token]) -> usize {
     tokens.iter().filter(|t| is_bar(t)).count()
 }
 
@@ -126,15 +130,11 @@ fn row_length(body: &[Token], columns: usize) -> Option<usize> {
 }
 
 /// Whether no line contradicts the count: two wrong rows can make up for each other.
-fn lines_agree(tokens: &[Token], columns: usize) -> bool {
-    if !lines_known(tokens) {
-        return true;
-    }
+fn lines_agree(tokens: &[Token], head: usize) -> bool {
+    let row = bars_in(&tokens[..head]);
     let mut lines = tokens.chunk_by(|a, b| a.line == b.line);
-    let shaped = tokens
-        .chunk_by(|a, b| a.line == b.line)
-        .all(|line| line.first().is_some_and(is_bar) && line.last().is_some_and(is_bar));
-    !shaped || lines.all(|line| bars(line).is_multiple_of(columns + 1))
+    let shaped = |line: &[Token]| line.first().is_some_and(is_bar) && line.last().is_some_and(is_bar);
+    !lines_known(tokens) || !lines.clone().all(shaped) || lines.all(|line| bars_in(line).is_multiple_of(row))
 }
 
 /// The rows that can be saved after the count has gone wrong, with a message for each of the others.
@@ -190,7 +190,7 @@ fn rows_by_line<'a>(
                 "every row begins and ends with `|`",
             );
         } else {
-            let cells = bars(line) - 1;
+            let cells = bars_in(line) - 1;
             let plural = if cells == 1 { "cell" } else { "cells" };
             report.error_help(
                 place,

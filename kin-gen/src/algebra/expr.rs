@@ -1,0 +1,389 @@
+//! The graph in which code is built: hash-consed expressions, equal up to sign when their ids are.
+//!
+//! There is no optimiser after this: every simplification is a constructor here. Zero and one disappear, constants
+//! fold exactly (their meaning is a polynomial of the ring, so nothing is rounded), signs move outwards, where they
+//! are free, and the same operation on the same operands is the same node.
+
+use std::collections::BTreeMap;
+
+use super::ring::{Poly, Ring};
+use super::vector::Algebra;
+use crate::chain::AngleSum;
+use crate::number::Angle;
+
+/// A node of the graph.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Id(pub u32);
+
+/// A node with a sign: negation costs nothing and is never a node.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Term {
+    /// The node.
+    pub id: Id,
+    /// Whether its negative is meant.
+    pub negative: bool,
+}
+
+impl Term {
+    /// The exact 0.
+    pub const ZERO: Term = Term { id: Id(0), negative: false };
+    /// The exact 1.
+    pub const ONE: Term = Term { id: Id(1), negative: false };
+
+    fn negated_if(self, negate: bool) -> Term {
+        Term { id: self.id, negative: (self.negative != negate) && self != Term::ZERO }
+    }
+}
+
+/// A sum of joint values, with integer coefficients, and a constant part: the argument of a sine.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Turn {
+    /// Coefficients of the commanded joint values, by joint.
+    pub joints: Vec<(i64, usize)>,
+    /// The constant part, and the part made of parameters.
+    pub rest: AngleSum,
+}
+
+impl Turn {
+    /// The constant angle.
+    pub fn constant(angle: Angle) -> Turn {
+        Turn { joints: Vec::new(), rest: AngleSum { constant: angle, params: Vec::new() } }
+    }
+
+    /// `self + factor·other`; `None` where the exact sum cannot be represented.
+    pub fn plus(&self, other: &Turn, factor: i64) -> Option<Turn> {
+        Some(Turn {
+            joints: merged(&self.joints, &other.joints, factor)?,
+            rest: AngleSum {
+                constant: self.rest.constant.add(other.rest.constant.times(factor)?)?,
+                params: merged(&self.rest.params, &other.rest.params, factor)?,
+            },
+        })
+    }
+
+    /// Whether nothing in it varies.
+    pub fn is_constant(&self) -> bool {
+        self.joints.is_empty() && self.rest.params.is_empty()
+    }
+
+    /// The first coefficient: its sign decides which of ±angle gets the sine.
+    fn leads_negative(&self) -> bool {
+        match (self.joints.first(), self.rest.params.first()) {
+            (Some((coefficient, _)), _) | (None, Some((coefficient, _))) => *coefficient < 0,
+            (None, None) => self.rest.constant.to_real() < crate::number::Real::ZERO,
+        }
+    }
+}
+
+/// The sum of two sorted lists of coefficients.
+fn merged(a: &[(i64, usize)], b: &[(i64, usize)], factor: i64) -> Option<Vec<(i64, usize)>> {
+    let mut sum = a.to_vec();
+    for &(coefficient, index) in b {
+        let term = coefficient.checked_mul(factor)?;
+        match sum.iter_mut().find(|(_, i)| *i == index) {
+            Some((c, _)) => *c = c.checked_add(term)?,
+            None => sum.push((term, index)),
+        }
+    }
+    sum.retain(|(c, _)| *c != 0);
+    sum.sort_by_key(|(_, i)| *i);
+    Some(sum)
+}
+
+/// What a node is. Operands are always older than the node.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Node {
+    /// 0.
+    Zero,
+    /// 1.
+    One,
+    /// A constant: an index into [`Exprs::constants`].
+    Constant(usize),
+    /// A length parameter of the arm.
+    Param(usize),
+    /// The commanded value of a prismatic joint.
+    Slide(usize),
+    /// An entry of the given pose: `3·row + column` of the rotation, then 9, 10, 11 for the position.
+    Entry(usize),
+    /// The cosine of a turn: an index into [`Exprs::turns`].
+    Cos(usize),
+    /// The sine of a turn.
+    Sin(usize),
+    /// a + b.
+    Add(Id, Id),
+    /// a - b.
+    Sub(Id, Id),
+    /// a·b.
+    Mul(Id, Id),
+}
+
+/// A state of the graph to which it can be rolled back.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Mark {
+    nodes: usize,
+    constants: usize,
+    turns: usize,
+}
+
+/// The graph.
+#[derive(Clone, Debug)]
+pub struct Exprs {
+    /// The ring in which constants have their meaning.
+    pub ring: Ring,
+    nodes: Vec<Node>,
+    index: BTreeMap<Node, Id>,
+    constants: Vec<Poly>,
+    turns: Vec<Turn>,
+    labels: BTreeMap<Id, String>,
+}
+
+impl Exprs {
+    /// A graph with only 0 and 1.
+    pub fn new(ring: Ring) -> Exprs {
+        let mut exprs = Exprs {
+            ring,
+            nodes: Vec::new(),
+            index: BTreeMap::new(),
+            constants: Vec::new(),
+            turns: Vec::new(),
+            labels: BTreeMap::new(),
+        };
+        exprs.intern(Node::Zero);
+        exprs.intern(Node::One);
+        exprs
+    }
+
+    /// What a node is.
+    pub fn node(&self, id: Id) -> Node {
+        self.nodes[id.0 as usize]
+    }
+
+    /// The nodes, oldest first.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The meaning of a constant.
+    pub fn constant_meaning(&self, index: usize) -> &Poly {
+        &self.constants[index]
+    }
+
+    /// A turn by its index.
+    pub fn turn(&self, index: usize) -> &Turn {
+        &self.turns[index]
+    }
+
+    fn intern(&mut self, node: Node) -> Id {
+        if let Some(&id) = self.index.get(&node) {
+            return id;
+        }
+        let id = Id(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.index.insert(node, id);
+        id
+    }
+
+    fn leaf(&mut self, node: Node) -> Term {
+        Term { id: self.intern(node), negative: false }
+    }
+
+    /// The present state.
+    pub fn mark(&self) -> Mark {
+        Mark { nodes: self.nodes.len(), constants: self.constants.len(), turns: self.turns.len() }
+    }
+
+    /// Forgets everything made since the mark.
+    pub fn roll_back(&mut self, mark: Mark) {
+        for node in self.nodes.drain(mark.nodes..) {
+            self.index.remove(&node);
+        }
+        self.constants.truncate(mark.constants);
+        self.turns.truncate(mark.turns);
+        self.labels.split_off(&Id(mark.nodes as u32));
+    }
+
+    /// Suggests a textbook name for a computed value; the first suggestion stays.
+    pub fn label(&mut self, term: Term, name: impl FnOnce() -> String) {
+        if matches!(self.node(term.id), Node::Add(..) | Node::Sub(..) | Node::Mul(..)) {
+            self.labels.entry(term.id).or_insert_with(name);
+        }
+    }
+
+    /// The name suggested for a node.
+    pub fn label_of(&self, id: Id) -> Option<&str> {
+        self.labels.get(&id).map(String::as_str)
+    }
+
+    /// Multiplications and additions made since the mark.
+    pub fn work_since(&self, mark: Mark) -> usize {
+        self.nodes[mark.nodes..].iter().filter(|n| matches!(n, Node::Add(..) | Node::Sub(..) | Node::Mul(..))).count()
+    }
+
+    /// A constant with this meaning.
+    pub fn constant(&mut self, meaning: Poly) -> Term {
+        match meaning.as_unit() {
+            Some(0) => return Term::ZERO,
+            Some(unit) => return Term::ONE.negated_if(unit < 0),
+            None => {}
+        }
+        // Two different lengths of equal value cancel; a single term never does.
+        if meaning.len() > 1 && self.ring.vanishes(&meaning) {
+            return Term::ZERO;
+        }
+        let negative = meaning.leads_negative();
+        let meaning = if negative { meaning.neg() } else { meaning };
+        let index = self.constants.iter().position(|c| *c == meaning).unwrap_or_else(|| {
+            self.constants.push(meaning);
+            self.constants.len() - 1
+        });
+        self.leaf(Node::Constant(index)).negated_if(negative)
+    }
+
+    /// A polynomial in constants and length parameters, linear in the parameters.
+    pub fn polynomial(&mut self, meaning: &Poly) -> Term {
+        let mut sum = Term::ZERO;
+        for (varying, coefficient) in self.ring.by_varying(meaning) {
+            let mut term = self.constant(coefficient);
+            for index in self.ring.params_in(&varying) {
+                let param = self.param(index);
+                term = self.mul(term, param);
+            }
+            sum = self.add(sum, term);
+        }
+        sum
+    }
+
+    /// A length parameter.
+    pub fn param(&mut self, index: usize) -> Term {
+        self.leaf(Node::Param(index))
+    }
+
+    /// The value of a prismatic joint.
+    pub fn slide(&mut self, joint: usize) -> Term {
+        self.leaf(Node::Slide(joint))
+    }
+
+    /// An entry of the given pose.
+    pub fn entry(&mut self, index: usize) -> Term {
+        self.leaf(Node::Entry(index))
+    }
+
+    /// Cosine and sine of a turn; quarter turns and signs come out of the argument.
+    pub fn cos_sin(&mut self, turn: &Turn) -> (Term, Term) {
+        if turn.is_constant() {
+            let (cos, sin) = self.ring.constant_pair(turn.rest.constant);
+            return (self.constant(cos), self.constant(sin));
+        }
+        let mut turn = turn.clone();
+        let quarters = turn.rest.constant.quarters();
+        if quarters.is_some() {
+            turn.rest.constant = Angle::zero();
+        }
+        let negative = turn.leads_negative();
+        if negative {
+            // Negating a sum that was representable stays representable.
+            turn = Turn::default().plus(&turn, -1).unwrap_or(turn);
+        }
+        let index = self.turns.iter().position(|t| *t == turn).unwrap_or_else(|| {
+            self.turns.push(turn);
+            self.turns.len() - 1
+        });
+        let cos = self.leaf(Node::Cos(index));
+        let sin = self.leaf(Node::Sin(index)).negated_if(negative);
+        match quarters.unwrap_or(0).rem_euclid(4) {
+            0 => (cos, sin),
+            1 => (sin.negated_if(true), cos),
+            2 => (cos.negated_if(true), sin.negated_if(true)),
+            _ => (sin, cos.negated_if(true)),
+        }
+    }
+
+    /// The meaning of a term that is a constant.
+    pub fn as_constant(&self, term: Term) -> Option<Poly> {
+        let meaning = match self.node(term.id) {
+            Node::Zero => Poly::zero(),
+            Node::One => Poly::integer(1),
+            Node::Constant(index) => self.constants[index].clone(),
+            _ => return None,
+        };
+        Some(if term.negative { meaning.neg() } else { meaning })
+    }
+
+    /// The negative.
+    pub fn neg(&self, a: Term) -> Term {
+        a.negated_if(true)
+    }
+
+    /// The sum.
+    pub fn add(&mut self, a: Term, b: Term) -> Term {
+        if a == Term::ZERO {
+            return b;
+        }
+        if b == Term::ZERO {
+            return a;
+        }
+        if a.id == b.id && a.negative != b.negative {
+            return Term::ZERO;
+        }
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b)) {
+            let sum = self.ring.add(&x, &y);
+            return self.constant(sum);
+        }
+        let (first, second) = if a.id <= b.id { (a, b) } else { (b, a) };
+        let node = if first.negative == second.negative {
+            Node::Add(first.id, second.id)
+        } else {
+            Node::Sub(first.id, second.id)
+        };
+        self.leaf(node).negated_if(first.negative)
+    }
+
+    /// The difference.
+    pub fn sub(&mut self, a: Term, b: Term) -> Term {
+        self.add(a, b.negated_if(true))
+    }
+
+    /// The product.
+    pub fn mul(&mut self, a: Term, b: Term) -> Term {
+        let negative = a.negative != b.negative;
+        if a == Term::ZERO || b == Term::ZERO {
+            return Term::ZERO;
+        }
+        if a.id == Term::ONE.id {
+            return Term { id: b.id, negative };
+        }
+        if b.id == Term::ONE.id {
+            return Term { id: a.id, negative };
+        }
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b)) {
+            let product = self.ring.mul(&x, &y);
+            return self.constant(product);
+        }
+        let (first, second) = if a.id <= b.id { (a.id, b.id) } else { (b.id, a.id) };
+        self.leaf(Node::Mul(first, second)).negated_if(negative)
+    }
+}
+
+impl Algebra for Exprs {
+    type Value = Term;
+
+    fn zero(&self) -> Term {
+        Term::ZERO
+    }
+
+    fn one(&self) -> Term {
+        Term::ONE
+    }
+
+    fn plus(&mut self, a: &Term, b: &Term) -> Term {
+        self.add(*a, *b)
+    }
+
+    fn times(&mut self, a: &Term, b: &Term) -> Term {
+        self.mul(*a, *b)
+    }
+
+    fn minus(&mut self, a: &Term) -> Term {
+        self.neg(*a)
+    }
+}

@@ -1,0 +1,521 @@
+//! The normal form in which equality is decided.
+//!
+//! A polynomial over the integers in these variables: each constant length and each length parameter, the cosine and
+//! sine of each constant angle that is no multiple of a quarter turn, of each angle parameter and of each revolute
+//! joint, the value of each prismatic joint, and the entries of a given pose. The one relation, s² = 1 - c² for each
+//! pair, is applied as soon as a square of a sine appears, so that a polynomial has one form only: two functions of
+//! the joints are equal when their forms are.
+
+use std::cell::Cell;
+use std::cmp::Ordering;
+use std::fmt;
+
+use crate::number::{Angle, Real, Scalar};
+
+/// Most variables of one ring; two bits of exponent for each.
+pub const MAX_VARS: usize = 128;
+
+/// Most term products of one derivation: beyond it the proof would take minutes in an unoptimised macro.
+const WORK_LIMIT: u64 = 20_000_000;
+
+/// A variable: an index into the ring's table.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Var(pub u8);
+
+/// Exponents 0 to 3 of all variables, packed; the first variable in the highest bits, so that the order of the
+/// integers is the lexicographic order of the monomials.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
+struct Monomial([u128; 2]);
+
+const LOW_BITS: u128 = u128::MAX / 3;
+
+impl Monomial {
+    fn of(var: Var, exponent: u128) -> Monomial {
+        let mut words = [0, 0];
+        words[usize::from(var.0) / 64] = exponent << (126 - 2 * (usize::from(var.0) % 64));
+        Monomial(words)
+    }
+
+    fn exponent(self, var: Var) -> u32 {
+        ((self.0[usize::from(var.0) / 64] >> (126 - 2 * (usize::from(var.0) % 64))) & 3) as u32
+    }
+
+    /// The product, or `None` if an exponent would exceed 3.
+    fn times(self, other: Monomial) -> Option<Monomial> {
+        let mut words = [0; 2];
+        for ((word, a), b) in words.iter_mut().zip(self.0).zip(other.0) {
+            let (a_low, b_low) = (a & LOW_BITS, b & LOW_BITS);
+            let (a_high, b_high) = ((a >> 1) & LOW_BITS, (b >> 1) & LOW_BITS);
+            let carry = a_low & b_low;
+            if (a_high & b_high) | ((a_high ^ b_high) & carry) != 0 {
+                return None;
+            }
+            *word = a + b;
+        }
+        Some(Monomial(words))
+    }
+
+    /// Without the given exponents, which must be present.
+    fn without(self, other: Monomial) -> Monomial {
+        Monomial([self.0[0] - other.0[0], self.0[1] - other.0[1]])
+    }
+
+    fn masked(self, mask: Monomial) -> Monomial {
+        Monomial([self.0[0] & mask.0[0], self.0[1] & mask.0[1]])
+    }
+
+    fn is_one(self) -> bool {
+        self.0 == [0, 0]
+    }
+}
+
+/// A polynomial in normal form: terms in descending order of their monomials, no zero coefficient.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
+pub struct Poly {
+    terms: Vec<(Monomial, i64)>,
+}
+
+impl Poly {
+    /// The polynomial 0.
+    pub fn zero() -> Poly {
+        Poly::default()
+    }
+
+    /// A constant integer.
+    pub fn integer(value: i64) -> Poly {
+        Poly { terms: if value == 0 { Vec::new() } else { vec![(Monomial::default(), value)] } }
+    }
+
+    /// Whether it is the polynomial 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Its value if it is 0, 1 or -1.
+    pub fn as_unit(&self) -> Option<i64> {
+        match self.terms.as_slice() {
+            [] => Some(0),
+            [(m, c)] if m.is_one() && c.abs() == 1 => Some(*c),
+            _ => None,
+        }
+    }
+
+    /// Whether the leading coefficient is negative.
+    pub fn leads_negative(&self) -> bool {
+        self.terms.first().is_some_and(|(_, c)| *c < 0)
+    }
+
+    /// The number of terms.
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether it has no terms.
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The polynomial with all signs changed.
+    pub fn neg(&self) -> Poly {
+        Poly { terms: self.terms.iter().map(|&(m, c)| (m, -c)).collect() }
+    }
+}
+
+/// What a variable stands for.
+#[derive(Clone, PartialEq, Debug)]
+pub enum VarKind {
+    /// A constant with its value.
+    Constant(Scalar),
+    /// The cosine (then the next variable is the sine) of a constant angle.
+    ConstantPair(Angle),
+    /// The cosine (then the next variable is the sine) of something that varies.
+    Pair,
+    /// The sine that belongs to the variable before it.
+    Sine,
+    /// A length parameter, by its index.
+    Param(usize),
+    /// Anything else that varies.
+    Free,
+}
+
+#[derive(Clone, Debug)]
+struct VarInfo {
+    name: String,
+    kind: VarKind,
+}
+
+/// The variables and the work done so far. A result is trustworthy only while [`Ring::exhausted`] is false.
+#[derive(Clone, Debug, Default)]
+pub struct Ring {
+    vars: Vec<VarInfo>,
+    /// The high exponent bit of each sine: set in a product exactly when that sine is squared.
+    sine_squares: Monomial,
+    /// Both exponent bits of each variable that varies.
+    varying: Monomial,
+    work: Cell<u64>,
+    exhausted: Cell<bool>,
+}
+
+impl Ring {
+    /// A ring without variables.
+    pub fn new() -> Ring {
+        Ring::default()
+    }
+
+    /// Whether some result was too large to be represented: nothing computed since may be used.
+    pub fn exhausted(&self) -> bool {
+        self.exhausted.get()
+    }
+
+    /// Term products so far: the measure of the proof's cost.
+    pub fn work(&self) -> u64 {
+        self.work.get()
+    }
+
+    fn push(&mut self, name: String, kind: VarKind) -> Var {
+        if self.vars.len() >= MAX_VARS {
+            self.exhausted.set(true);
+            return Var(0);
+        }
+        let var = Var(self.vars.len() as u8);
+        let constant = match kind {
+            VarKind::Constant(_) | VarKind::ConstantPair(_) => true,
+            VarKind::Sine => matches!(self.vars.last().map(|v| &v.kind), Some(VarKind::ConstantPair(_))),
+            VarKind::Pair | VarKind::Param(_) | VarKind::Free => false,
+        };
+        if kind == VarKind::Sine {
+            let square = Monomial::of(var, 2);
+            self.sine_squares = Monomial([0, 1].map(|i| self.sine_squares.0[i] | square.0[i]));
+        }
+        if !constant {
+            let both = Monomial::of(var, 3);
+            self.varying = Monomial([0, 1].map(|i| self.varying.0[i] | both.0[i]));
+        }
+        self.vars.push(VarInfo { name, kind });
+        var
+    }
+
+    /// A new constant with its value.
+    pub fn constant(&mut self, name: impl Into<String>, value: Scalar) -> Var {
+        self.push(name.into(), VarKind::Constant(value))
+    }
+
+    /// A new variable.
+    pub fn free(&mut self, name: impl Into<String>) -> Var {
+        self.push(name.into(), VarKind::Free)
+    }
+
+    /// A new variable that is a length parameter.
+    pub fn param(&mut self, name: impl Into<String>, index: usize) -> Var {
+        self.push(name.into(), VarKind::Param(index))
+    }
+
+    /// The length parameters in the first monomial, each as often as its exponent says.
+    pub fn params_in(&self, a: &Poly) -> Vec<usize> {
+        let Some((monomial, _)) = a.terms.first() else { return Vec::new() };
+        let mut found = Vec::new();
+        for (position, info) in self.vars.iter().enumerate() {
+            if let VarKind::Param(index) = info.kind {
+                found.extend((0..monomial.exponent(Var(position as u8))).map(|_| index));
+            }
+        }
+        found
+    }
+
+    /// A new (cosine, sine) pair of something that varies, named `c…` and `s…`.
+    pub fn pair(&mut self, suffix: &str) -> (Var, Var) {
+        (self.push(format!("c{suffix}"), VarKind::Pair), self.push(format!("s{suffix}"), VarKind::Sine))
+    }
+
+    /// Cosine and sine of a constant angle: exact for quarter turns, else the pair of that angle, made on first use.
+    pub fn constant_pair(&mut self, angle: Angle) -> (Poly, Poly) {
+        if let Some(quarters) = angle.quarters() {
+            let (c, s) = [(1, 0), (0, 1), (-1, 0), (0, -1)][usize::from(quarters.rem_euclid(4) as u8)];
+            return (Poly::integer(c), Poly::integer(s));
+        }
+        // Angles of opposite sign share a pair.
+        let positive = angle.to_real() > Real::ZERO;
+        let key = if positive { angle } else { angle.neg() };
+        let known = self.vars.iter().position(|v| v.kind == VarKind::ConstantPair(key));
+        let index = match known {
+            Some(index) => index,
+            None => {
+                let count = self.vars.iter().filter(|v| matches!(v.kind, VarKind::ConstantPair(_))).count();
+                let suffix = format!("φ{}", count + 1);
+                let var = self.push(format!("c{suffix}"), VarKind::ConstantPair(key));
+                self.push(format!("s{suffix}"), VarKind::Sine);
+                usize::from(var.0)
+            }
+        };
+        let (cos, sin) = (self.var(Var(index as u8)), self.var(Var(index as u8 + 1)));
+        (cos, if positive { sin } else { sin.neg() })
+    }
+
+    /// The polynomial that is this variable.
+    pub fn var(&self, var: Var) -> Poly {
+        Poly { terms: vec![(Monomial::of(var, 1), 1)] }
+    }
+
+    /// A variable's name.
+    pub fn name(&self, var: Var) -> &str {
+        self.vars.get(usize::from(var.0)).map_or("", |v| &v.name)
+    }
+
+    /// The sum.
+    pub fn add(&self, a: &Poly, b: &Poly) -> Poly {
+        self.combine(a, b, 1)
+    }
+
+    /// The difference.
+    pub fn sub(&self, a: &Poly, b: &Poly) -> Poly {
+        self.combine(a, b, -1)
+    }
+
+    fn combine(&self, a: &Poly, b: &Poly, sign: i64) -> Poly {
+        let mut terms = Vec::with_capacity(a.terms.len() + b.terms.len());
+        let (mut left, mut right) = (a.terms.as_slice(), b.terms.as_slice());
+        loop {
+            match (left, right) {
+                ([], rest) => {
+                    terms.extend(rest.iter().map(|&(m, c)| (m, c * sign)));
+                    break;
+                }
+                (rest, []) => {
+                    terms.extend_from_slice(rest);
+                    break;
+                }
+                ([(ml, cl), more_left @ ..], [(mr, cr), more_right @ ..]) => match ml.cmp(mr) {
+                    Ordering::Greater => {
+                        terms.push((*ml, *cl));
+                        left = more_left;
+                    }
+                    Ordering::Less => {
+                        terms.push((*mr, cr * sign));
+                        right = more_right;
+                    }
+                    Ordering::Equal => {
+                        let sum = self.checked(cl.checked_add(cr * sign));
+                        if sum != 0 {
+                            terms.push((*ml, sum));
+                        }
+                        (left, right) = (more_left, more_right);
+                    }
+                },
+            }
+        }
+        Poly { terms }
+    }
+
+    fn checked(&self, value: Option<i64>) -> i64 {
+        // i64::MIN cannot be negated, so it counts as an overflow too.
+        value.filter(|v| *v != i64::MIN).unwrap_or_else(|| {
+            self.exhausted.set(true);
+            0
+        })
+    }
+
+    /// The product.
+    pub fn mul(&self, a: &Poly, b: &Poly) -> Poly {
+        let work = self.work.get() + (a.terms.len() * b.terms.len()) as u64;
+        self.work.set(work);
+        if work > WORK_LIMIT {
+            self.exhausted.set(true);
+        }
+        if self.exhausted.get() {
+            return Poly::zero();
+        }
+        let mut terms = Vec::with_capacity(a.terms.len() * b.terms.len());
+        let mut reduced = false;
+        for &(ma, ca) in &a.terms {
+            for &(mb, cb) in &b.terms {
+                let coefficient = self.checked(ca.checked_mul(cb));
+                let Some(monomial) = ma.times(mb) else {
+                    self.exhausted.set(true);
+                    return Poly::zero();
+                };
+                reduced |= !monomial.masked(self.sine_squares).is_one();
+                self.push_reduced(&mut terms, monomial, coefficient);
+            }
+        }
+        // Multiplying by one monomial keeps the order of the other factor.
+        if reduced || (a.terms.len() > 1 && b.terms.len() > 1) {
+            terms.sort_unstable_by(|x, y| y.0.cmp(&x.0));
+            self.merge(&mut terms);
+        }
+        Poly { terms }
+    }
+
+    /// Pushes a term, with s² = 1 - c² applied to each squared sine in it.
+    fn push_reduced(&self, terms: &mut Vec<(Monomial, i64)>, monomial: Monomial, coefficient: i64) {
+        let squares = monomial.masked(self.sine_squares);
+        if squares.is_one() {
+            terms.push((monomial, coefficient));
+            return;
+        }
+        let word = usize::from(squares.0[0] == 0);
+        let sine = Var((64 * word + squares.0[word].leading_zeros() as usize / 2) as u8);
+        let rest = monomial.without(Monomial::of(sine, 2));
+        self.push_reduced(terms, rest, coefficient);
+        match rest.times(Monomial::of(Var(sine.0 - 1), 2)) {
+            Some(cosine) => self.push_reduced(terms, cosine, -coefficient),
+            None => self.exhausted.set(true),
+        }
+    }
+
+    fn merge(&self, terms: &mut Vec<(Monomial, i64)>) {
+        let mut kept = 0;
+        for i in 0..terms.len() {
+            let (monomial, coefficient) = terms[i];
+            if kept > 0 && terms[kept - 1].0 == monomial {
+                terms[kept - 1].1 = self.checked(terms[kept - 1].1.checked_add(coefficient));
+            } else {
+                if kept > 0 && terms[kept - 1].1 == 0 {
+                    kept -= 1;
+                }
+                terms[kept] = (monomial, coefficient);
+                kept += 1;
+            }
+        }
+        if kept > 0 && terms[kept - 1].1 == 0 {
+            kept -= 1;
+        }
+        terms.truncate(kept);
+    }
+
+    /// The integer multiple.
+    pub fn scale(&self, a: &Poly, factor: i64) -> Poly {
+        self.mul(a, &Poly::integer(factor))
+    }
+
+    /// The derivative by an angle whose cosine is `cos` (and whose sine is the next variable).
+    pub fn derivative_by_angle(&self, a: &Poly, cos: Var) -> Poly {
+        let sin = Var(cos.0 + 1);
+        let by_cos = self.derivative(a, cos);
+        let by_sin = self.derivative(a, sin);
+        self.sub(&self.mul(&by_sin, &self.var(cos)), &self.mul(&by_cos, &self.var(sin)))
+    }
+
+    /// The partial derivative by one variable.
+    pub fn derivative(&self, a: &Poly, var: Var) -> Poly {
+        let one = Monomial::of(var, 1);
+        let mut terms: Vec<(Monomial, i64)> = a
+            .terms
+            .iter()
+            .filter(|(m, _)| m.exponent(var) > 0)
+            .map(|&(m, c)| (m.without(one), self.checked(c.checked_mul(i64::from(m.exponent(var))))))
+            .collect();
+        terms.sort_unstable_by(|x, y| y.0.cmp(&x.0));
+        Poly { terms }
+    }
+
+    /// Whether no variable occurs that varies.
+    pub fn is_constant(&self, a: &Poly) -> bool {
+        a.terms.iter().all(|(m, _)| m.masked(self.varying).is_one())
+    }
+
+    /// The parts of `a` by what varies: (the varying factors as a polynomial, its constant coefficient).
+    pub fn by_varying(&self, a: &Poly) -> Vec<(Poly, Poly)> {
+        let mut parts: Vec<(Monomial, Poly)> = Vec::new();
+        for &(m, c) in &a.terms {
+            let varying = m.masked(self.varying);
+            let constant = (m.without(varying), c);
+            match parts.iter_mut().find(|(key, _)| *key == varying) {
+                Some((_, poly)) => poly.terms.push(constant),
+                None => parts.push((varying, Poly { terms: vec![constant] })),
+            }
+        }
+        parts
+            .into_iter()
+            .map(|(key, mut poly)| {
+                poly.terms.sort_unstable_by(|x, y| y.0.cmp(&x.0));
+                (Poly { terms: vec![(key, 1)] }, poly)
+            })
+            .collect()
+    }
+
+    /// The value of a polynomial in which nothing varies; what varies counts as 0.
+    pub fn value(&self, a: &Poly) -> Scalar {
+        let mut sum = Scalar::zero();
+        for &(m, c) in &a.terms {
+            if !m.masked(self.varying).is_one() {
+                continue;
+            }
+            let mut product = Scalar::Exact(crate::number::Ratio::integer(c));
+            for (index, info) in self.vars.iter().enumerate() {
+                let factor = match &info.kind {
+                    VarKind::Constant(value) => *value,
+                    VarKind::ConstantPair(angle) => Scalar::Real(angle.sin_cos().1),
+                    VarKind::Sine => match index.checked_sub(1).map(|i| &self.vars[i].kind) {
+                        Some(VarKind::ConstantPair(angle)) => Scalar::Real(angle.sin_cos().0),
+                        _ => continue,
+                    },
+                    VarKind::Pair | VarKind::Param(_) | VarKind::Free => continue,
+                };
+                for _ in 0..m.exponent(Var(index as u8)) {
+                    product = times(product, factor);
+                }
+            }
+            sum = plus(sum, product);
+        }
+        sum
+    }
+
+    /// Whether `a` is the zero function: no terms, or, for each varying monomial, a coefficient whose exact value is 0
+    /// (two lengths of equal value cancel).
+    pub fn vanishes(&self, a: &Poly) -> bool {
+        a.is_zero() || self.by_varying(a).iter().all(|(_, coefficient)| self.value(coefficient).is_zero())
+    }
+
+    /// The polynomial as text, in the field's names: `-c4·c5·s6 - s4·c6`.
+    pub fn show<'a>(&'a self, poly: &'a Poly) -> Shown<'a> {
+        Shown { ring: self, poly }
+    }
+}
+
+/// The exact product where it can be represented, else the product to 256 bits.
+fn times(a: Scalar, b: Scalar) -> Scalar {
+    a.mul(b).unwrap_or_else(|| Scalar::Real(a.to_real() * b.to_real()))
+}
+
+/// The exact sum where it can be represented, else the sum to 256 bits.
+fn plus(a: Scalar, b: Scalar) -> Scalar {
+    a.add(b).unwrap_or_else(|| Scalar::Real(a.to_real() + b.to_real()))
+}
+
+/// A polynomial that can be printed.
+pub struct Shown<'a> {
+    ring: &'a Ring,
+    poly: &'a Poly,
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.poly.is_zero() {
+            return f.write_str("0");
+        }
+        for (position, &(monomial, coefficient)) in self.poly.terms.iter().enumerate() {
+            f.write_str(match (position, coefficient < 0) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            })?;
+            let mut factors: Vec<String> = Vec::new();
+            if coefficient.unsigned_abs() != 1 || monomial.is_one() {
+                factors.push(coefficient.unsigned_abs().to_string());
+            }
+            // Constants stand before what varies, as reports print it: d6·c4·s5.
+            for wanted in [true, false] {
+                for (index, info) in self.ring.vars.iter().enumerate() {
+                    let constant = Monomial::of(Var(index as u8), 1).masked(self.ring.varying).is_one();
+                    if constant == wanted {
+                        let exponent = monomial.exponent(Var(index as u8));
+                        factors.extend((0..exponent).map(|_| info.name.clone()));
+                    }
+                }
+            }
+            f.write_str(&factors.join("·"))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,98 @@
+//! Which arms can be solved, and what their solver needs to know.
+//!
+//! A family recognises its figure in the arm's home position, where every axis is a line that the declaration fixes
+//! exactly, and hands out plain numbers for the shared solver. Whether something is parallel or meets is decided
+//! here, to within 64 ε of the reach, for every value of the parameters; what is refused is refused with a sentence
+//! that names the axes and the distance.
+//!
+//! # Adding a family
+//!
+//! One file here (recognise, and what each solution needs), one page in the runtime's `ik` folder, one line in
+//! [`ALL`], most specific first.
+
+pub mod base;
+pub mod home;
+pub mod position;
+pub mod spherical_wrist;
+
+use crate::algebra::ring::Ring;
+use crate::chain::Chain;
+use crate::truth::Symbols;
+use home::Home;
+
+/// What a recognised family solves.
+#[derive(Clone, Debug)]
+pub enum Inverse {
+    /// A pose, by a spherical wrist on a three-joint base.
+    Pose(Box<spherical_wrist::SphericalWrist>),
+    /// A position, by a three-joint arm.
+    Position(Box<position::Position>),
+    /// Nothing, and why.
+    None {
+        /// One sentence, without a final full stop.
+        reason: String,
+        /// The element that causes it, by its index among the rows' elements, if one does.
+        culprit: Option<usize>,
+    },
+}
+
+/// Why a family does not hold.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Refusal {
+    /// One sentence, without a final full stop.
+    pub reason: String,
+    /// The element that causes it, by its index among the rows' elements.
+    pub culprit: Option<usize>,
+}
+
+impl Refusal {
+    /// A refusal without a culprit.
+    pub fn new(reason: impl Into<String>) -> Refusal {
+        Refusal { reason: reason.into(), culprit: None }
+    }
+}
+
+/// A family: its name in `ik:`, the number of joints it is about, and its recogniser.
+pub struct Family {
+    /// As written after `ik:`.
+    pub name: &'static str,
+    /// How many joints its arms have.
+    pub joints: usize,
+    recognise: fn(&mut Home<'_>) -> Result<Inverse, Refusal>,
+}
+
+/// All families, most specific first.
+pub const ALL: [Family; 2] = [
+    Family { name: "spherical_wrist", joints: 6, recognise: spherical_wrist::recognise },
+    Family { name: "position", joints: 3, recognise: position::recognise },
+];
+
+/// The family that an arm belongs to, or the reason why it belongs to none.
+///
+/// The ring that comes back knows every constant that the geometry is made of.
+pub fn recognise(chain: &Chain, symbols: &Symbols) -> (Inverse, Ring) {
+    let demanded = chain.demanded.as_ref().map(|d| d.value.as_str());
+    let joints = chain.joints.len();
+    let candidates = ALL.iter().filter(|f| match demanded {
+        Some(name) => f.name == name,
+        None => f.joints == joints,
+    });
+    let mut last = Refusal::new(format!(
+        "inverse kinematics is derived for arms with six joints (a pose) or three (a position), this one has {joints}"
+    ));
+    for family in candidates {
+        if family.joints != joints {
+            last = Refusal::new(format!("the family {} has {} joints, this arm has {joints}", family.name, family.joints));
+            continue;
+        }
+        let Some(mut home) = Home::new(chain, symbols) else {
+            last = Refusal::new("the exact geometry is too large to be represented");
+            continue;
+        };
+        match (family.recognise)(&mut home) {
+            Ok(inverse) => return (inverse, home.ring),
+            Err(refusal) => last = refusal,
+        }
+    }
+    (Inverse::None { reason: last.reason, culprit: last.culprit }, symbols.ring(chain))
+}

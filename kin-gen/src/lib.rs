@@ -1,0 +1,115 @@
+//! From a Denavit-Hartenberg table to proved straight-line code.
+//!
+//! The whole compiler is [`expand`]; the modules, in order, are its stages:
+//!
+//! ```text
+//! tokens ─► decl::grammar ─► Decl ─► chain::check ─► Chain ─► model::derive ─► Arm ─► back::rust ─► text
+//!             what was written         what is true     frames, ring, family,    prints, decides nothing
+//!                                                       programs, proof
+//! ```
+//!
+//! * [`report`]: what went wrong, where, and the remedy
+//! * [`number`]: exact rationals and angles; correctly rounded functions of constants
+//! * [`decl`]: one grammar for the macro's tokens and for `.dh` text
+//! * [`chain`]: the arm as exact elementary transforms
+//! * [`algebra`]: the ring of the proof, the graph of the code
+//! * [`truth`]: the plain matrix product, as polynomials
+//! * [`derive`]: equal derivations, the cheapest chosen
+//! * [`family`]: which arms can be solved, and with what numbers
+//! * [`program`], [`names`], [`eval`]: straight-line code, its names, its meaning
+//! * [`model`]: all of it for one arm
+//! * [`back`]: Rust and listings
+//!
+//! This crate depends on nothing, does no input or output, and never spells a place: it does not know who calls it.
+
+pub mod algebra;
+pub mod back;
+pub mod chain;
+pub mod decl;
+pub mod derive;
+pub mod eval;
+pub mod family;
+pub mod model;
+pub mod names;
+pub mod number;
+pub mod program;
+pub mod quantity;
+pub mod report;
+pub mod truth;
+
+use decl::Token;
+use model::{Arm, ParamFacts};
+use report::Report;
+
+/// What the macro needs: everything but the struct item itself, as Rust text.
+#[derive(Clone, Debug)]
+pub struct Expansion {
+    /// What is to be said about the declaration.
+    pub report: Report,
+    /// The derived arm's struct: its name and fields; `None` if nothing could be derived.
+    pub shape: Option<Shape>,
+    /// The items, with absolute paths under the given crate path; empty if nothing could be derived.
+    pub items: String,
+}
+
+/// The generated struct.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// Its name.
+    pub name: String,
+    /// Its fields, in order.
+    pub params: Vec<ParamFacts>,
+}
+
+/// Tokens in, code and report out. `krate` is the path of the runtime, usually `::kin_runtime`.
+pub fn expand(tokens: &[Token], krate: &str) -> Expansion {
+    let (arm, report) = compile(tokens);
+    match arm {
+        Some(arm) => Expansion {
+            report,
+            items: back::rust::items(&arm, krate),
+            shape: Some(Shape { name: arm.name, params: arm.params }),
+        },
+        None => Expansion { report, shape: None, items: String::new() },
+    }
+}
+
+/// Tokens in, derived arm and report out; there is an arm exactly when the report has no errors.
+pub fn compile(tokens: &[Token]) -> (Option<Arm>, Report) {
+    let mut report = Report::new();
+    let arm = compile_into(tokens, &mut report);
+    (arm.filter(|_| !report.has_errors()), report)
+}
+
+fn compile_into(tokens: &[Token], report: &mut Report) -> Option<Arm> {
+    let decl = decl::grammar::parse(tokens, report)?;
+    let chain = chain::check(&decl, report)?;
+    match model::derive(&chain) {
+        Ok(arm) => {
+            if let (model::Solver::None { reason, culprit }, Some(demanded)) = (&arm.solver, &chain.demanded) {
+                let place = culprit.and_then(|i| chain.elements.get(i)).map_or(demanded.place, |e| e.place);
+                report.error(place, format!("this arm is no {}: {reason}", demanded.value));
+            }
+            Some(arm)
+        }
+        Err(mismatch) => {
+            report.error_help(
+                chain.place,
+                format!("no proved code for {}: {mismatch}", chain.name),
+                "this is a limit or an internal error of kin-gen, not a mistake in the table; please report it",
+            );
+            None
+        }
+    }
+}
+
+/// Text of a `.dh` file in, derived arm out, or the rendered messages.
+pub fn compile_text(text: &str) -> Result<Arm, String> {
+    let (tokens, places, mut report) = decl::lex::lex(text);
+    let (arm, more) = compile(&tokens);
+    report.absorb(more);
+    match arm {
+        Some(arm) if !report.has_errors() => Ok(arm),
+        _ => Err(decl::render(text, &places, &report)),
+    }
+}

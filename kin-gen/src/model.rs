@@ -1,0 +1,345 @@
+//! The derived arm: its programs, each proved against the matrix product, and what its inverse solver is told.
+//!
+//! After [`derive`]: every program equals the declaration's own product of elementary transforms as a polynomial, and
+//! every constant in it is the double nearest to its exact value. The backends only print what stands here.
+
+use crate::algebra::expr::Exprs;
+use crate::algebra::frame::{self, Frames, Stretch, Values};
+use crate::algebra::ring::{Poly, Ring};
+use crate::algebra::vector::{self, M3, V3};
+use crate::chain::{Chain, JointKind, LengthUnit, Motion, ParamKind};
+use crate::derive::{jacobian, pose, wrist};
+use crate::family::spherical_wrist::SphericalWrist;
+use crate::family::{self, Inverse, position::Position};
+use crate::number::Real;
+use crate::program::{Mismatch, Program};
+use crate::quantity::{Linear, Quantity};
+use crate::truth::{self, Raw, Symbols};
+
+/// A joint as the generated code lists it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct JointFacts {
+    /// Its name in the table.
+    pub name: String,
+    /// Turning or sliding.
+    pub kind: JointKind,
+    /// Inclusive limits in radians or the declared unit of length.
+    pub limits: Option<(f64, f64)>,
+}
+
+/// A parameter as the generated code declares it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ParamFacts {
+    /// The field's name.
+    pub name: String,
+    /// Length or angle.
+    pub kind: ParamKind,
+    /// Its nominal value, in the declared unit of length or in radians.
+    pub nominal: f64,
+}
+
+/// The programs that every arm has.
+#[derive(Clone, Debug)]
+pub struct Forward {
+    /// The tool's pose.
+    pub fk: Program,
+    /// The frame at the end of each joint's row.
+    pub frames: Program,
+    /// The geometric Jacobian.
+    pub jacobian: Program,
+    /// Both together.
+    pub fk_jacobian: Program,
+}
+
+/// The programs that an inverse solver calls.
+#[derive(Clone, Debug)]
+pub enum Solver {
+    /// For a pose.
+    Pose(Box<PoseSolver>),
+    /// For a position.
+    Position(Box<PositionSolver>),
+    /// None, and why not.
+    None {
+        /// One sentence, without a final full stop.
+        reason: String,
+        /// The element that causes it, by its index among the rows' elements, if one does.
+        culprit: Option<usize>,
+    },
+}
+
+/// What the spherical-wrist solver calls.
+#[derive(Clone, Debug)]
+pub struct PoseSolver {
+    /// The recognised geometry.
+    pub geometry: SphericalWrist,
+    /// ³R₆ from the row values of joints 4 to 6.
+    pub r36: Program,
+    /// ⁰R₃ and the wrist centre from the row values of joints 1 to 3.
+    pub r03: Program,
+    /// The wrist centre of a given pose, in the shoulder frame.
+    pub wrist_centre: Program,
+    /// ³R₆ of a given pose, from the row values of joints 1 to 3.
+    pub wrist_rotation: Program,
+    /// The matrix from which the wrist angles are read, from ³R₆.
+    pub wrist_matrix: Program,
+}
+
+/// What the position solver calls.
+#[derive(Clone, Debug)]
+pub struct PositionSolver {
+    /// The recognised geometry.
+    pub geometry: Position,
+    /// A given point in the shoulder frame.
+    pub tool_point: Program,
+}
+
+/// A derived arm.
+#[derive(Clone, Debug)]
+pub struct Arm {
+    /// The type's name.
+    pub name: String,
+    /// The declaration's own text.
+    pub text: String,
+    /// The declared unit of length.
+    pub length_unit: LengthUnit,
+    /// The joints, in order.
+    pub joints: Vec<JointFacts>,
+    /// The parameters, in order.
+    pub params: Vec<ParamFacts>,
+    /// Σ|a| + |d| of all rows and the tool, plus prismatic travel.
+    pub reach: Quantity,
+    /// Commanded values from row values, in integers.
+    pub uncouple: Vec<Vec<i64>>,
+    /// Forward kinematics and Jacobian.
+    pub forward: Forward,
+    /// The inverse.
+    pub solver: Solver,
+    /// What the polynomials of this arm are printed with.
+    pub ring: Ring,
+    /// What the ring's variables stand for.
+    pub symbols: Symbols,
+    /// ³R₆ as polynomials, where there is one.
+    pub r36: Option<M3<Poly>>,
+}
+
+/// Derives and proves everything; `Err` is an internal error of this crate or an arm too large to be proved.
+pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
+    let symbols = Symbols::of(chain);
+    let (inverse, ring) = family::recognise(chain, &symbols);
+    let mut work = Work { chain, symbols, exprs: Exprs::new(ring) };
+    let forward = work.forward()?;
+    let (solver, r36) = match inverse {
+        Inverse::Pose(geometry) => {
+            let (solver, r36) = work.pose_solver(*geometry)?;
+            (Solver::Pose(Box::new(solver)), Some(r36))
+        }
+        Inverse::Position(geometry) => (Solver::Position(Box::new(work.position_solver(*geometry)?)), None),
+        Inverse::None { reason, culprit } => (Solver::None { reason, culprit }, None),
+    };
+    Ok(Arm {
+        name: chain.name.clone(),
+        text: chain.text.clone(),
+        length_unit: chain.length_unit,
+        joints: chain.joints.iter().map(joint_facts).collect(),
+        params: chain
+            .params
+            .iter()
+            .map(|p| ParamFacts { name: p.name.clone(), kind: p.kind, nominal: p.nominal.to_f64() })
+            .collect(),
+        reach: reach(chain, &work.symbols, &work.exprs.ring),
+        uncouple: chain.uncouple.clone(),
+        forward,
+        solver,
+        ring: work.exprs.ring,
+        symbols: work.symbols,
+        r36,
+    })
+}
+
+fn joint_facts(joint: &crate::chain::Joint) -> JointFacts {
+    let limits = joint.limits.map(|(low, high)| (low.to_f64(), high.to_f64()));
+    JointFacts { name: joint.name.clone(), kind: joint.kind, limits }
+}
+
+/// One arm being derived.
+struct Work<'a> {
+    chain: &'a Chain,
+    symbols: Symbols,
+    exprs: Exprs,
+}
+
+impl Work<'_> {
+    fn frames(&mut self, values: Values, stretch: &Stretch<'_>) -> Result<Frames, Mismatch> {
+        frame::frames(&mut self.exprs, self.chain, values, stretch).ok_or(Mismatch::TooLarge)
+    }
+
+    fn raw(&mut self, values: Values, stretch: &Stretch<'_>) -> Result<Raw, Mismatch> {
+        truth::walk(&mut self.exprs.ring, &self.symbols, self.chain, values, stretch).ok_or(Mismatch::TooLarge)
+    }
+
+    /// The program of these outputs, proved.
+    fn program(
+        &mut self,
+        name: &'static str,
+        outputs: &[(String, crate::algebra::expr::Term)],
+        truth: &[Poly],
+    ) -> Result<Program, Mismatch> {
+        let program = Program::flatten(name, &self.exprs, outputs);
+        program.prove(&mut self.exprs.ring, &self.symbols, truth)?;
+        Ok(program)
+    }
+
+    fn forward(&mut self) -> Result<Forward, Mismatch> {
+        let whole = truth::whole(self.chain);
+        let frames = self.frames(Values::Commanded, &whole)?;
+        let raw = self.raw(Values::Commanded, &whole)?;
+        let columns = truth::jacobian(&self.exprs.ring, &self.symbols, self.chain, &raw);
+        let columns: Vec<Poly> = columns.into_iter().flatten().collect();
+        let tip = pose_polys(&raw.tip);
+        let start = self.exprs.mark();
+
+        let derived = pose::fk(&mut self.exprs, &frames);
+        let fk = self.program("fk", &derived.outputs(""), &tip)?;
+        self.exprs.roll_back(start);
+
+        let derived = pose::all_frames(&mut self.exprs, &frames);
+        let outputs: Vec<_> =
+            derived.iter().enumerate().flat_map(|(i, pose)| pose.outputs(&format!("_{}", i + 1))).collect();
+        let truth: Vec<Poly> = raw.frames.iter().flat_map(pose_polys).collect();
+        let all_frames = self.program("frames", &outputs, &truth)?;
+        self.exprs.roll_back(start);
+
+        let derived = jacobian::jacobian(&mut self.exprs, &frames, &self.chain.couple);
+        let jacobian = self.program("jacobian", &jacobian::outputs(&derived), &columns)?;
+        self.exprs.roll_back(start);
+
+        let (derived, derived_columns) = jacobian::fk_jacobian(&mut self.exprs, &frames, &self.chain.couple);
+        let truth: Vec<Poly> = tip.into_iter().chain(columns).collect();
+        let outputs = jacobian::pose_outputs(&derived, &derived_columns);
+        let fk_jacobian = self.program("fk_jacobian", &outputs, &truth)?;
+        self.exprs.roll_back(start);
+        Ok(Forward { fk, frames: all_frames, jacobian, fk_jacobian })
+    }
+
+    fn pose_solver(&mut self, geometry: SphericalWrist) -> Result<(PoseSolver, M3<Poly>), Mismatch> {
+        let chain = self.chain;
+        let third = chain.frames.get(2).copied().unwrap_or(0);
+        let arm = Stretch { elements: chain.base.iter().chain(&chain.elements[..third]).collect(), frames: Vec::new() };
+        let hand = Stretch { elements: chain.elements[third..].iter().collect(), frames: Vec::new() };
+        let start = self.exprs.mark();
+
+        let frames = self.frames(Values::Rows, &hand)?;
+        let raw_hand = self.raw(Values::Rows, &hand)?;
+        let derived = wrist::r36(&mut self.exprs, &frames);
+        let r36 = self.program("r36", &rotation_outputs(&derived), &flat(&raw_hand.tip.rotation))?;
+        self.exprs.roll_back(start);
+
+        let frames = self.frames(Values::Rows, &arm)?;
+        let raw_arm = self.raw(Values::Rows, &arm)?;
+        let after_frames = self.exprs.mark();
+        let derived = wrist::r03(&mut self.exprs, &frames, &geometry.centre_in_frame3);
+        let ring = &mut self.exprs.ring;
+        let centre = vector::apply(ring, &raw_arm.tip.rotation, &geometry.centre_in_frame3);
+        let centre = vector::add(ring, &raw_arm.tip.position, &centre);
+        let truth: Vec<Poly> = flat(&raw_arm.tip.rotation).into_iter().chain(centre).collect();
+        let r03 = self.program("r03", &derived.outputs(""), &truth)?;
+        self.exprs.roll_back(after_frames);
+
+        let derived = wrist::rotation_of_pose(&mut self.exprs, &frames, &geometry.tool_to_frame6);
+        let given = self.given_rotation();
+        let ring = &mut self.exprs.ring;
+        let left = vector::product(ring, &vector::transpose(&raw_arm.tip.rotation), &given);
+        let truth = vector::product(ring, &left, &geometry.tool_to_frame6);
+        let wrist_rotation = self.program("wrist_rotation", &rotation_outputs(&derived), &flat(&truth))?;
+        self.exprs.roll_back(start);
+
+        let wrist_centre = self.point_program("wrist_centre", &geometry.centre_in_tool, &geometry.base)?;
+
+        let derived = wrist::framed(&mut self.exprs, &geometry.wrist.before, &geometry.wrist.after);
+        let ring = &mut self.exprs.ring;
+        let left = vector::product(ring, &vector::transpose(&geometry.wrist.before), &given);
+        let truth = vector::product(ring, &left, &geometry.wrist.after);
+        let outputs: Vec<_> = flat(&derived).into_iter().enumerate().map(|(i, t)| (matrix_name(i), t)).collect();
+        let wrist_matrix = self.program("wrist_matrix", &outputs, &flat(&truth))?;
+        self.exprs.roll_back(start);
+
+        let solver = PoseSolver { geometry, r36, r03, wrist_centre, wrist_rotation, wrist_matrix };
+        Ok((solver, raw_hand.tip.rotation))
+    }
+
+    fn position_solver(&mut self, geometry: Position) -> Result<PositionSolver, Mismatch> {
+        let zero = vector::origin(&self.exprs.ring);
+        let tool_point = self.point_program("tool_point", &zero, &geometry.base)?;
+        Ok(PositionSolver { geometry, tool_point })
+    }
+
+    /// A point fixed in the given pose, in the shoulder frame.
+    fn point_program(
+        &mut self,
+        name: &'static str,
+        local: &V3<Poly>,
+        base: &family::base::Base,
+    ) -> Result<Program, Mismatch> {
+        let start = self.exprs.mark();
+        let derived = wrist::point_of_pose(&mut self.exprs, local, &base.axes, &base.origin);
+        let given = self.given_rotation();
+        let position = [9, 10, 11].map(|i| self.symbols.entry(&self.exprs.ring, i));
+        let ring = &mut self.exprs.ring;
+        let offset = vector::apply(ring, &given, local);
+        let point = vector::add(ring, &position, &offset);
+        let from_origin = vector::sub(ring, &point, &base.origin);
+        let truth = vector::apply(ring, &vector::transpose(&base.axes), &from_origin);
+        let outputs: Vec<_> = ["x", "y", "z"].iter().zip(derived).map(|(n, t)| ((*n).to_owned(), t)).collect();
+        let program = self.program(name, &outputs, &truth)?;
+        self.exprs.roll_back(start);
+        Ok(program)
+    }
+
+    fn given_rotation(&self) -> M3<Poly> {
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| self.symbols.entry(&self.exprs.ring, 3 * i + j)))
+    }
+}
+
+fn pose_polys(pose: &truth::RawPose) -> Vec<Poly> {
+    flat(&pose.rotation).into_iter().chain(pose.position.clone()).collect()
+}
+
+fn flat<T: Clone>(m: &M3<T>) -> Vec<T> {
+    m.iter().flatten().cloned().collect()
+}
+
+fn rotation_outputs(m: &M3<crate::algebra::expr::Term>) -> Vec<(String, crate::algebra::expr::Term)> {
+    flat(m).into_iter().enumerate().map(|(i, term)| (truth::entry_name(i), term)).collect()
+}
+
+/// `m11` … `m33`.
+fn matrix_name(index: usize) -> String {
+    format!("m{}{}", index / 3 + 1, index % 3 + 1)
+}
+
+/// Σ|a| + |d| of all rows and the tool, plus prismatic travel (the larger limit).
+fn reach(chain: &Chain, symbols: &Symbols, ring: &Ring) -> Quantity {
+    let mut constant = Real::ZERO;
+    let mut forms = Vec::new();
+    for element in chain.elements.iter().chain(&chain.tool) {
+        let distance = match &element.motion {
+            Motion::Shift(distance) => distance.clone(),
+            Motion::Prismatic { joint, offset, .. } => {
+                if let Some((low, high)) = chain.joints.get(*joint).and_then(|j| j.limits) {
+                    let (low, high) = (low.to_real().abs(), high.to_real().abs());
+                    constant = constant + if low > high { low } else { high };
+                }
+                offset.clone()
+            }
+            Motion::Turn(_) | Motion::Revolute { .. } => continue,
+        };
+        match Linear::of(ring, &symbols.distance(ring, &distance)) {
+            Some(form) => match form.as_constant() {
+                Some(value) => constant = constant + value.abs(),
+                None => forms.push(form),
+            },
+            None => continue,
+        }
+    }
+    Quantity::SumOfAbsolutes(constant, forms)
+}
