@@ -16,7 +16,7 @@
 //! * [`truth`]: the plain matrix product, as polynomials
 //! * [`derive`]: equal derivations, the cheapest chosen
 //! * [`family`]: which arms can be solved, and with what numbers
-//! * [`program`], [`names`], [`eval`]: straight-line code, its names, its meaning
+//! * [`program`], [`signs`], [`names`], [`eval`]: straight-line code, its signs, its names, its meaning
 //! * [`model`]: all of it for one arm
 //! * [`back`]: Rust and listings
 //!
@@ -35,6 +35,7 @@ pub mod number;
 pub mod program;
 pub mod quantity;
 pub mod report;
+pub mod signs;
 pub mod truth;
 
 use decl::Token;
@@ -86,7 +87,8 @@ fn compile_into(tokens: &[Token], report: &mut Report) -> Option<Arm> {
     let chain = chain::check(&decl, report)?;
     match model::derive(&chain) {
         Ok(arm) => {
-            if let (model::Solver::None { reason, culprit }, Some(demanded)) = (&arm.solver, &chain.demanded) {
+            if let (model::Solver::None { reason, culprit }, Some(demanded)) = (&arm.solver, &chain.demanded)
+            {
                 let place = culprit.and_then(|i| chain.elements.get(i)).map_or(demanded.place, |e| e.place);
                 report.error(place, format!("this arm is no {}: {reason}", demanded.value));
             }

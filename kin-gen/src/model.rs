@@ -3,7 +3,7 @@
 //! After [`derive`]: every program equals the declaration's own product of elementary transforms as a polynomial, and
 //! every constant in it is the double nearest to its exact value. The backends only print what stands here.
 
-use crate::algebra::expr::Exprs;
+use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::{self, Frames, Stretch, Values};
 use crate::algebra::ring::{Poly, Ring};
 use crate::algebra::vector::{self, M3, V3};
@@ -174,14 +174,15 @@ impl Work<'_> {
     }
 
     fn raw(&mut self, values: Values, stretch: &Stretch<'_>) -> Result<Raw, Mismatch> {
-        truth::walk(&mut self.exprs.ring, &self.symbols, self.chain, values, stretch).ok_or(Mismatch::TooLarge)
+        truth::walk(&mut self.exprs.ring, &self.symbols, self.chain, values, stretch)
+            .ok_or(Mismatch::TooLarge)
     }
 
     /// The program of these outputs, proved.
     fn program(
         &mut self,
         name: &'static str,
-        outputs: &[(String, crate::algebra::expr::Term)],
+        outputs: &[(String, Term)],
         truth: &[Poly],
     ) -> Result<Program, Mismatch> {
         let program = Program::flatten(name, &self.exprs, outputs);
@@ -224,7 +225,10 @@ impl Work<'_> {
     fn pose_solver(&mut self, geometry: SphericalWrist) -> Result<(PoseSolver, M3<Poly>), Mismatch> {
         let chain = self.chain;
         let third = chain.frames.get(2).copied().unwrap_or(0);
-        let arm = Stretch { elements: chain.base.iter().chain(&chain.elements[..third]).collect(), frames: Vec::new() };
+        let arm = Stretch {
+            elements: chain.base.iter().chain(&chain.elements[..third]).collect(),
+            frames: Vec::new(),
+        };
         let hand = Stretch { elements: chain.elements[third..].iter().collect(), frames: Vec::new() };
         let start = self.exprs.mark();
 
@@ -250,7 +254,7 @@ impl Work<'_> {
         let ring = &mut self.exprs.ring;
         let left = vector::product(ring, &vector::transpose(&raw_arm.tip.rotation), &given);
         let truth = vector::product(ring, &left, &geometry.tool_to_frame6);
-        let wrist_rotation = self.program("wrist_rotation", &rotation_outputs(&derived), &flat(&truth))?;
+        let wrist_rotation = self.program("wrist_rotation", &matrix_outputs(&derived), &flat(&truth))?;
         self.exprs.roll_back(start);
 
         let wrist_centre = self.point_program("wrist_centre", &geometry.centre_in_tool, &geometry.base)?;
@@ -259,8 +263,7 @@ impl Work<'_> {
         let ring = &mut self.exprs.ring;
         let left = vector::product(ring, &vector::transpose(&geometry.wrist.before), &given);
         let truth = vector::product(ring, &left, &geometry.wrist.after);
-        let outputs: Vec<_> = flat(&derived).into_iter().enumerate().map(|(i, t)| (matrix_name(i), t)).collect();
-        let wrist_matrix = self.program("wrist_matrix", &outputs, &flat(&truth))?;
+        let wrist_matrix = self.program("wrist_matrix", &matrix_outputs(&derived), &flat(&truth))?;
         self.exprs.roll_back(start);
 
         let solver = PoseSolver { geometry, r36, r03, wrist_centre, wrist_rotation, wrist_matrix };
@@ -289,7 +292,8 @@ impl Work<'_> {
         let point = vector::add(ring, &position, &offset);
         let from_origin = vector::sub(ring, &point, &base.origin);
         let truth = vector::apply(ring, &vector::transpose(&base.axes), &from_origin);
-        let outputs: Vec<_> = ["x", "y", "z"].iter().zip(derived).map(|(n, t)| ((*n).to_owned(), t)).collect();
+        let outputs: Vec<_> =
+            ["x", "y", "z"].iter().zip(derived).map(|(n, t)| ((*n).to_owned(), t)).collect();
         let program = self.program(name, &outputs, &truth)?;
         self.exprs.roll_back(start);
         Ok(program)
@@ -308,13 +312,14 @@ fn flat<T: Clone>(m: &M3<T>) -> Vec<T> {
     m.iter().flatten().cloned().collect()
 }
 
-fn rotation_outputs(m: &M3<crate::algebra::expr::Term>) -> Vec<(String, crate::algebra::expr::Term)> {
+/// `r11` … `r33`.
+fn rotation_outputs(m: &M3<Term>) -> Vec<(String, Term)> {
     flat(m).into_iter().enumerate().map(|(i, term)| (truth::entry_name(i), term)).collect()
 }
 
-/// `m11` … `m33`.
-fn matrix_name(index: usize) -> String {
-    format!("m{}{}", index / 3 + 1, index % 3 + 1)
+/// `m11` … `m33`: what is made from a given rotation, whose own entries are `r11` … `r33`.
+fn matrix_outputs(m: &M3<Term>) -> Vec<(String, Term)> {
+    flat(m).into_iter().enumerate().map(|(i, term)| (format!("m{}{}", i / 3 + 1, i % 3 + 1), term)).collect()
 }
 
 /// Σ|a| + |d| of all rows and the tool, plus prismatic travel (the larger limit).

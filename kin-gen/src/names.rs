@@ -11,7 +11,10 @@ use crate::algebra::ring::{Poly, Ring};
 use crate::program::{Op, Program, Value};
 
 /// Names that mean something else in the code around a program.
-const TAKEN: [&str; 12] = ["self", "q", "pose", "rows", "as", "fn", "if", "in", "do", "let", "mod", "mut"];
+const TAKEN: [&str; 16] = [
+    "self", "q", "pose", "rows", "point", "r36", "zero", "one", "as", "fn", "if", "in", "do", "let", "mod",
+    "mut",
+];
 
 /// The longest name made of operands' names.
 const LONGEST_PRODUCT: usize = 10;
@@ -31,48 +34,61 @@ impl<'a> Namer<'a> {
     }
 
     /// Names every step that needs a name.
+    ///
+    /// A step that is only the negative of one output stays without: it is printed as that output.
     pub fn name(mut self, program: &mut Program) {
         let uses = program.uses();
+        if program.steps.iter().any(|s| matches!(s.op, Op::Entry(_))) {
+            self.taken.extend((0..12).map(crate::truth::entry_name));
+        }
+        self.name_outputs(program);
         let mut turn_names: Vec<Option<String>> = vec![None; program.turns.len()];
-        let outputs = output_names(program);
         for index in 0..program.steps.len() {
+            if program.steps[index].name.is_some() {
+                continue;
+            }
             let name = match &program.steps[index].op {
                 Op::Cos(turn) | Op::Sin(turn) => {
-                    let suffix = match &turn_names[*turn] {
-                        Some(suffix) => suffix.clone(),
-                        None => {
-                            let suffix = self.turn_suffix(&program.turns[*turn]);
-                            turn_names[*turn] = Some(suffix.clone());
-                            suffix
-                        }
-                    };
+                    let known = turn_names[*turn].take();
+                    let suffix = known.unwrap_or_else(|| self.turn_suffix(&program.turns[*turn]));
                     let letter = if matches!(program.steps[index].op, Op::Cos(_)) { 'c' } else { 's' };
+                    turn_names[*turn] = Some(suffix.clone());
                     Some(format!("{letter}{suffix}"))
                 }
-                Op::Constant(meaning, _) => {
-                    let wanted = constant_name(self.ring, meaning);
+                Op::Constant(meaning, _) => Some(self.unique(constant_name(self.ring, meaning))),
+                Op::Param(param) => Some(self.unique(self.ring.param_name(*param))),
+                Op::Slide(_) | Op::Entry(_) => None,
+                Op::Add(..) | Op::Sub(..) | Op::Mul(..) if uses[index] > 1 => {
+                    let wanted = self.value_name(program, index);
                     Some(self.unique(wanted))
                 }
-                Op::Param(_) | Op::Slide(_) | Op::Entry(_) => None,
-                Op::Add(..) | Op::Sub(..) | Op::Mul(..) => {
-                    if let Some(output) = &outputs[index] {
-                        Some(self.unique(output.clone()))
-                    } else if uses[index] > 1 {
-                        let wanted = self.value_name(program, index);
-                        Some(self.unique(wanted))
-                    } else {
-                        None
-                    }
-                }
+                Op::Add(..) | Op::Sub(..) | Op::Mul(..) => None,
             };
             program.steps[index].name = name;
+        }
+    }
+
+    /// An output gives its name to the step that it is.
+    fn name_outputs(&mut self, program: &mut Program) {
+        for output in &program.outputs {
+            if let Value::Step { index, negative } = output.value {
+                let step = &mut program.steps[index];
+                let computed = matches!(step.op, Op::Add(..) | Op::Sub(..) | Op::Mul(..));
+                if computed
+                    && (negative || step.name.is_none())
+                    && self.taken.insert(output.name.clone())
+                    && !negative
+                {
+                    step.name = Some(output.name.clone());
+                }
+            }
         }
     }
 
     fn unique(&mut self, wanted: String) -> String {
         let mut name = wanted.clone();
         let mut letters = 'b'..='z';
-        while !self.taken.insert(name.clone()) {
+        while is_joint_value(&name) || !self.taken.insert(name.clone()) {
             name = match letters.next() {
                 Some(letter) => format!("{wanted}{letter}"),
                 None => format!("{name}_"),
@@ -127,21 +143,6 @@ impl<'a> Namer<'a> {
     }
 }
 
-/// For each step, the output that it is, if it is one without a change of sign (else with).
-fn output_names(program: &Program) -> Vec<Option<String>> {
-    let mut names = vec![None; program.steps.len()];
-    for wanted in [false, true] {
-        for output in &program.outputs {
-            if let Value::Step { index, negative } = output.value {
-                if negative == wanted && names[index].is_none() {
-                    names[index] = Some(if negative { format!("{}_neg", output.name) } else { output.name.clone() });
-                }
-            }
-        }
-    }
-    names
-}
-
 /// `a2`, `d1_d2` for a sum, else `k`.
 fn constant_name(ring: &Ring, meaning: &Poly) -> String {
     let text = ring.show(meaning).to_string();
@@ -149,4 +150,9 @@ fn constant_name(ring: &Ring, meaning: &Poly) -> String {
     let ascii = simple.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let starts = simple.chars().next().is_some_and(|c| c.is_ascii_alphabetic());
     if ascii && starts && simple.len() <= 16 { simple } else { "k".to_owned() }
+}
+
+/// `q1`, `q2`, …: bound by the code around a program.
+fn is_joint_value(name: &str) -> bool {
+    name.strip_prefix('q').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
 }

@@ -12,6 +12,7 @@ use std::fmt;
 use crate::algebra::expr::{Exprs, Id, Node, Term, Turn};
 use crate::algebra::ring::{Poly, Ring};
 use crate::names::Namer;
+use crate::signs;
 use crate::truth::Symbols;
 
 /// What one step does. Operands are indices of earlier steps.
@@ -148,6 +149,7 @@ impl Program {
             })
             .collect();
         let mut program = Program { name, turns, steps, outputs };
+        signs::settle(&mut program);
         let labels = order.iter().map(|id| exprs.label_of(*id).map(str::to_owned)).collect();
         Namer::new(&exprs.ring, labels).name(&mut program);
         program

@@ -80,7 +80,12 @@ impl Report {
     }
 
     /// Adds an error and its remedy.
-    pub fn error_help(&mut self, place: impl Into<Place>, message: impl Into<String>, help: impl Into<String>) {
+    pub fn error_help(
+        &mut self,
+        place: impl Into<Place>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
         self.push(Severity::Error, place.into(), message.into(), Some(help.into()));
     }
 

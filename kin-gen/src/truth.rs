@@ -94,7 +94,11 @@ impl Symbols {
 
     /// The variable of a parameter that is a length.
     pub fn length_params(&self) -> impl Iterator<Item = (usize, Var)> + '_ {
-        self.params.iter().enumerate().filter(|(_, (kind, _))| *kind == ParamKind::Length).map(|(i, (_, v))| (i, *v))
+        self.params
+            .iter()
+            .enumerate()
+            .filter(|(_, (kind, _))| *kind == ParamKind::Length)
+            .map(|(i, (_, v))| (i, *v))
     }
 
     /// The value of a prismatic joint.
@@ -190,7 +194,8 @@ pub fn walk(
         frames.extend(stretch.frames.iter().filter(|f| **f == index).map(|_| pose.clone()));
         let axis = axis_index(element.axis);
         let direction = vector::column(&pose.rotation, axis);
-        let along = |reversed: bool| if reversed { direction.clone().map(|x| x.neg()) } else { direction.clone() };
+        let along =
+            |reversed: bool| if reversed { direction.clone().map(|x| x.neg()) } else { direction.clone() };
         match &element.motion {
             Motion::Turn(sum) => {
                 let turn = Turn { joints: Vec::new(), rest: sum.clone() };
@@ -211,7 +216,8 @@ pub fn walk(
                 if values != Values::Home {
                     let slide = symbols.slide(ring, *joint);
                     let offset = symbols.distance(ring, offset);
-                    let length = if *reversed { ring.sub(&offset, &slide) } else { ring.add(&offset, &slide) };
+                    let length =
+                        if *reversed { ring.sub(&offset, &slide) } else { ring.add(&offset, &slide) };
                     let step = vector::scale(ring, &length, &direction);
                     pose.position = vector::add(ring, &pose.position, &step);
                 }

@@ -216,7 +216,10 @@ impl Exprs {
 
     /// Multiplications and additions made since the mark.
     pub fn work_since(&self, mark: Mark) -> usize {
-        self.nodes[mark.nodes..].iter().filter(|n| matches!(n, Node::Add(..) | Node::Sub(..) | Node::Mul(..))).count()
+        self.nodes[mark.nodes..]
+            .iter()
+            .filter(|n| matches!(n, Node::Add(..) | Node::Sub(..) | Node::Mul(..)))
+            .count()
     }
 
     /// A constant with this meaning.

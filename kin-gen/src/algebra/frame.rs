@@ -275,8 +275,7 @@ impl Walk<'_> {
         self.carrier = Carrier::After(group, stages.len() - 1);
         let half = half_turn_about_x(exprs, flip);
         self.local = vector::product(exprs, &half, &vector::transpose(&to_axis));
-        self.planar =
-            if axis == 2 { Some((Turn::default(), flip)) } else { planar_quarter(&self.local) };
+        self.planar = if axis == 2 { Some((Turn::default(), flip)) } else { planar_quarter(&self.local) };
         Some(())
     }
 }

@@ -210,6 +210,12 @@ impl Ring {
         self.push(name.into(), VarKind::Param(index))
     }
 
+    /// The name of a length parameter.
+    pub fn param_name(&self, index: usize) -> String {
+        let info = self.vars.iter().find(|v| v.kind == VarKind::Param(index));
+        info.map_or_else(String::new, |v| v.name.clone())
+    }
+
     /// The length parameters in the first monomial, each as often as its exponent says.
     pub fn params_in(&self, a: &Poly) -> Vec<usize> {
         let Some((monomial, _)) = a.terms.first() else { return Vec::new() };

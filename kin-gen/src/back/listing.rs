@@ -33,7 +33,9 @@ pub fn programs(arm: &Arm) -> Vec<&Program> {
     let forward = &arm.forward;
     let mut programs = vec![&forward.fk, &forward.frames, &forward.jacobian, &forward.fk_jacobian];
     match &arm.solver {
-        Solver::Pose(s) => programs.extend([&s.r36, &s.r03, &s.wrist_centre, &s.wrist_rotation, &s.wrist_matrix]),
+        Solver::Pose(s) => {
+            programs.extend([&s.r36, &s.r03, &s.wrist_centre, &s.wrist_rotation, &s.wrist_matrix])
+        }
         Solver::Position(s) => programs.push(&s.tool_point),
         Solver::None { .. } => {}
     }
@@ -46,7 +48,7 @@ pub fn listing(arm: &Arm, program: &Program) -> String {
     let mut text = format!("{}: {}\n", program.name, program.cost());
     // Writing to a string cannot fail.
     for (index, step) in program.steps.iter().enumerate() {
-        let given = matches!(step.op, Op::Param(_) | Op::Slide(_) | Op::Entry(_));
+        let given = matches!(step.op, Op::Slide(_) | Op::Entry(_));
         if let (Some(name), false) = (&step.name, given) {
             let _ = writeln!(text, "    {name} = {}", infix::step(program, index, &leaves));
         }

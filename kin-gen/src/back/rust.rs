@@ -10,7 +10,7 @@ use crate::family::base::{Base, Figure};
 use crate::family::spherical_wrist::{Wrist, WristForm};
 use crate::model::{Arm, JointFacts, PoseSolver, PositionSolver, Solver};
 use crate::number::Real;
-use crate::program::{Op, Program, Value};
+use crate::program::{Op, Output, Program, Value};
 use crate::quantity::{Linear, Quantity};
 
 /// All items of an arm except its struct.
@@ -60,8 +60,10 @@ impl Printer<'_> {
 
     fn inherent(&self, text: &mut String) {
         let name = &self.arm.name;
-        let fields: Vec<String> = self.arm.params.iter().map(|p| format!("{}: {:?}", p.name, p.nominal)).collect();
-        let value = if fields.is_empty() { "Self".to_owned() } else { format!("Self {{ {} }}", fields.join(", ")) };
+        let fields: Vec<String> =
+            self.arm.params.iter().map(|p| format!("{}: {:?}", p.name, p.nominal)).collect();
+        let value =
+            if fields.is_empty() { "Self".to_owned() } else { format!("Self {{ {} }}", fields.join(", ")) };
         line!(text, "{ATTRIBUTES}\nimpl {name} {{");
         line!(text, "/// The arm with the declared values of its parameters.");
         line!(text, "pub const NOMINAL: Self = {value};\n}}");
@@ -94,8 +96,12 @@ impl Printer<'_> {
         self.method(text, "The pose of the tool", &programs.fk, &q, &pose, |p| self.pose_value(p, 0));
         let each = |p: &Program| (0..n).map(|i| self.pose_value(p, 12 * i)).collect::<Vec<_>>().join(",\n");
         let frames = format!("[{pose}; {n}]");
-        self.method(text, "The frame of each joint", &programs.frames, &q, &frames, |p| format!("[{}]", each(p)));
-        self.method(text, "The geometric Jacobian", &programs.jacobian, &q, &jacobian, |p| self.jacobian_value(p, 0));
+        self.method(text, "The frame of each joint", &programs.frames, &q, &frames, |p| {
+            format!("[{}]", each(p))
+        });
+        self.method(text, "The geometric Jacobian", &programs.jacobian, &q, &jacobian, |p| {
+            self.jacobian_value(p, 0)
+        });
         let both = format!("({pose}, {jacobian})");
         self.method(text, "Pose and Jacobian together", &programs.fk_jacobian, &q, &both, |p| {
             format!("({},\n{})", self.pose_value(p, 0), self.jacobian_value(p, 12))
@@ -146,11 +152,13 @@ impl Printer<'_> {
 
     /// Binds the joint values and pose entries that the program uses.
     fn joints(&self, text: &mut String, program: &Program, arguments: &str) {
-        let slides = program.steps.iter().filter_map(|s| if let Op::Slide(j) = s.op { Some(j) } else { None });
+        let slides =
+            program.steps.iter().filter_map(|s| if let Op::Slide(j) = s.op { Some(j) } else { None });
         let turned = program.turns.iter().flat_map(|t| t.joints.iter().map(|(_, j)| *j));
         let used: Vec<usize> = slides.chain(turned).collect();
         let bind = |count: usize| {
-            let names = (0..count).map(|j| if used.contains(&j) { format!("q{}", j + 1) } else { "_".to_owned() });
+            let names =
+                (0..count).map(|j| if used.contains(&j) { format!("q{}", j + 1) } else { "_".to_owned() });
             names.collect::<Vec<_>>().join(", ")
         };
         if arguments.starts_with("q: &") && !used.is_empty() {
@@ -159,9 +167,13 @@ impl Printer<'_> {
         if arguments.starts_with("rows: [T; 3]") && !used.is_empty() {
             line!(text, "let [{}] = rows;", bind(3));
         }
-        let entries: Vec<usize> =
-            program.steps.iter().filter_map(|s| if let Op::Entry(e) = s.op { Some(e) } else { None }).collect();
-        let entry = |e: usize| if entries.contains(&e) { crate::truth::entry_name(e) } else { "_".to_owned() };
+        let entries: Vec<usize> = program
+            .steps
+            .iter()
+            .filter_map(|s| if let Op::Entry(e) = s.op { Some(e) } else { None })
+            .collect();
+        let entry =
+            |e: usize| if entries.contains(&e) { crate::truth::entry_name(e) } else { "_".to_owned() };
         let columns: Vec<String> =
             (0..3).map(|j| format!("[{}, {}, {}]", entry(j), entry(3 + j), entry(6 + j))).collect();
         if entries.iter().any(|e| *e < 9) {
@@ -169,7 +181,8 @@ impl Printer<'_> {
             line!(text, "let [{}] = {source}.data.0;", columns.join(", "));
         }
         if entries.iter().any(|e| *e >= 9) {
-            let source = if arguments.starts_with("point") { "point.coords" } else { "pose.translation.vector" };
+            let source =
+                if arguments.starts_with("point") { "point.coords" } else { "pose.translation.vector" };
             line!(text, "let [[{}, {}, {}]] = {source}.data.0;", entry(9), entry(10), entry(11));
         }
     }
@@ -190,6 +203,11 @@ impl Printer<'_> {
                 line!(text, "let {name} = {};", infix::step(program, index, self));
             }
         }
+        for output in &program.outputs {
+            if let Some(name) = negated(program, output) {
+                line!(text, "let {name} = {};", infix::output(program, output.value, self));
+            }
+        }
         for (value, name) in [(0, "zero"), (1, "one")] {
             let wanted = |v: Value| matches!(v, Value::Unit(unit) if unit.abs() == value);
             if program.outputs.iter().any(|o| wanted(o.value)) {
@@ -204,6 +222,7 @@ impl Printer<'_> {
             Value::Unit(0) => "zero".to_owned(),
             Value::Unit(1) => "one".to_owned(),
             Value::Unit(_) => "-one".to_owned(),
+            Value::Step { .. } if negated(program, output).is_some() => output.name.clone(),
             value => infix::output(program, value, self),
         }
     }
@@ -214,7 +233,8 @@ impl Printer<'_> {
     }
 
     fn rows(&self, program: &Program, start: usize) -> String {
-        let rows: Vec<String> = (0..3).map(|i| self.list(program, start + 3 * i..start + 3 * i + 3)).collect();
+        let rows: Vec<String> =
+            (0..3).map(|i| self.list(program, start + 3 * i..start + 3 * i + 3)).collect();
         format!("[{}]", rows.join(",\n"))
     }
 
@@ -238,7 +258,9 @@ impl Printer<'_> {
         let matrix = format!("{krate}::Matrix3<T>");
         line!(text, "{ATTRIBUTES}\nimpl {krate}::SphericalWrist<{n}> for {name} {{");
         let r36 = "q4: T, q5: T, q6: T";
-        self.method(text, "³R₆ from the last three row values", &solver.r36, r36, &matrix, |p| self.matrix_value(p));
+        self.method(text, "³R₆ from the last three row values", &solver.r36, r36, &matrix, |p| {
+            self.matrix_value(p)
+        });
         let centre = format!("({matrix}, {krate}::Point3<T>)");
         let what = "⁰R₃ and the wrist centre, from the first three row values";
         self.method(text, what, &solver.r03, "q1: T, q2: T, q3: T", &centre, |p| {
@@ -341,9 +363,12 @@ impl Printer<'_> {
 
     fn command(&self, text: &mut String) {
         let (krate, n) = (self.krate, self.count());
-        let identity = self.arm.uncouple.iter().enumerate().all(|(i, row)| {
-            row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j))
-        });
+        let identity = self
+            .arm
+            .uncouple
+            .iter()
+            .enumerate()
+            .all(|(i, row)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j)));
         line!(text, "/// What the caller commands, from the rows' own values.");
         line!(text, "fn command<T: {krate}::Real>(&self, rows: [T; {n}]) -> [T; {n}] {{");
         if identity {
@@ -374,7 +399,10 @@ impl Printer<'_> {
         let sentence = format!("{:?}", sentence.replace('{', "(").replace('}', ")"));
         line!(text, "const _: () = {{");
         line!(text, "/// Implemented by nothing: it carries the sentence that says why.");
-        line!(text, "#[diagnostic::on_unimplemented(message = {sentence}, label = \"not derived for this arm\")]");
+        line!(
+            text,
+            "#[diagnostic::on_unimplemented(message = {sentence}, label = \"not derived for this arm\")]"
+        );
         line!(text, "pub trait NoInverse {{ fn none() -> ::core::convert::Infallible; }}");
         line!(text, "{ATTRIBUTES}\nimpl {name} {{");
         for (method, argument) in [("ik", "Pose<T>"), ("ik_position", "Point3<T>")] {
@@ -411,7 +439,12 @@ impl Printer<'_> {
         self.linear(linear, &|v| self.literal(v), &|name| format!("T::lit(self.{name})"))
     }
 
-    fn linear(&self, linear: &Linear, literal: &dyn Fn(f64) -> String, param: &dyn Fn(&str) -> String) -> String {
+    fn linear(
+        &self,
+        linear: &Linear,
+        literal: &dyn Fn(f64) -> String,
+        param: &dyn Fn(&str) -> String,
+    ) -> String {
         let mut text = String::new();
         for (coefficient, index) in &linear.params {
             let Some(facts) = self.arm.params.get(*index) else { continue };
@@ -429,6 +462,14 @@ impl Printer<'_> {
             infix::append(&mut text, constant < 0.0, &literal(constant.abs()));
         }
         text
+    }
+}
+
+/// The name of an output that is the negative of a step without a name.
+fn negated<'a>(program: &Program, output: &'a Output) -> Option<&'a str> {
+    match output.value {
+        Value::Step { index, negative: true } if program.steps[index].name.is_none() => Some(&output.name),
+        _ => None,
     }
 }
 

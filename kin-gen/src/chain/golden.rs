@@ -56,11 +56,11 @@ pub(super) fn golden(
         }
         let unit = chain.length_unit.word();
         let mut message = format!("this pose is {}", shown(&pose, chain));
-        let (far, turned) = (short(offset.distance.to_f64()), short(degrees(offset.angle)));
-        message.push_str(&match wanted.zyx {
-            Some(_) => format!(", which is {far} {unit} and {turned} degrees off"),
-            None => format!(", which is {far} {unit} off"),
-        });
+        let far =
+            Some(offset.distance).filter(|x| !x.is_negligible()).map(|x| short(x.to_f64()) + " " + unit);
+        let turned = Some(offset.angle).filter(|x| !x.is_negligible()).map(|x| short(degrees(x)) + " deg");
+        let off: Vec<String> = far.into_iter().chain(turned).collect();
+        message.push_str(&format!(", {} off", off.join(" and ")));
         let help = match other_reading(chain, rows, &wanted) {
             Some(form) => {
                 format!("it passes if read as `{}`: change the header if the table is meant so", form.word())
@@ -88,7 +88,7 @@ fn wanted(chain: &Chain, check: &Check, scope: &mut Scope<'_>, report: &mut Repo
         let help = "write one value for each joint";
         report.error_help(
             check.joints_place,
-            format!("{given} joint values are given for {joints} joints"),
+            format!("there are {given} values for the joints, of which there are {joints}"),
             help,
         );
         return None;

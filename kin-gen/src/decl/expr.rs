@@ -142,7 +142,8 @@ pub(super) fn leftover(before: &Expr, cursor: &Cursor<'_>, report: &mut Report) 
     if next.is("^") {
         report.error_help(place, "there is no power here", "write a product, such as `a*a`");
     } else if starts_value && is_shown_short(before) {
-        let help = format!("write `{before}*{text}` if a product is meant");
+        let after = if text == "(" { "(…)" } else { text };
+        let help = format!("write `{before}*{after}` if a product is meant");
         report.error_help(place, format!("`{text}` follows `{before}` without an operator"), help);
     } else if starts_value {
         report.error_help(

@@ -47,6 +47,9 @@ pub fn parse(tokens: &[Token], report: &mut Report) -> Option<Decl> {
     };
     if name.is_some() {
         header(&mut decl, &mut cursor, report);
+    } else if !starts_statement(&cursor) {
+        // Whatever this was, it was meant as the header.
+        cursor.until(|t| t.is(";") || t.is("|"));
     }
     statements(&mut decl, &mut cursor, report);
     name.map(|_| decl)
@@ -206,32 +209,34 @@ fn statements(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) {
     }
 }
 
-/// Moves to the next thing that starts a statement; says that a `;` is missing before it, or what is wrong instead.
+/// Says what is wrong with the next token and moves to the next keyword that starts a statement.
 fn resume_inside(body: &mut Cursor<'_>, length: usize, report: &mut Report, complain: bool) {
     if complain {
+        let text = body.peek().map_or("", |t| &t.text);
         if starts_statement(body) {
-            let text = body.peek().map_or("", |t| &t.text);
             return report.error(body.place(), format!("a `;` is missing before `{text}`"));
         }
-        let text = body.peek().map_or("", |t| &t.text);
         report.error(body.place(), format!("`{text}` has no meaning here"));
     }
     // At least one token must go, or the same statement would be read again.
     if body.len() == length {
         body.next();
     }
-    while !body.is_empty() && !starts_statement(body) {
+    while !body.is_empty() && !starts_with_keyword(body) {
         body.next();
     }
 }
 
-fn starts_statement(cursor: &Cursor<'_>) -> bool {
+fn starts_with_keyword(cursor: &Cursor<'_>) -> bool {
     let second_is_word = cursor.rest().get(1).is_some_and(|t| t.kind == Kind::Word);
     ((cursor.is("let") || cursor.is("param")) && second_is_word)
-        || ["base", "tool", "couple", "ik"].iter().any(|w| cursor.are(&[w, ":"]))
+        || ["base", "tool", "couple", "ik"].iter().any(|word| cursor.are(&[word, ":"]))
         || cursor.are(&["check", "["])
         || cursor.is("|")
-        || statement::factor_word(cursor).is_some()
+}
+
+fn starts_statement(cursor: &Cursor<'_>) -> bool {
+    starts_with_keyword(cursor) || statement::factor_word(cursor).is_some()
 }
 
 /// Reads an expression and, if neither a statement nor a comma follows it, says so.

@@ -17,7 +17,8 @@ pub(super) fn statement(decl: &mut Decl, body: &mut Cursor<'_>, report: &mut Rep
         "let" | "param" => binding(decl, body, report),
         "base" | "tool" => {
             colon(body, report)?;
-            let list = factors(body, &mut decl.whole, report);
+            // A lost transform here takes no joint with it.
+            let list = factors(body, &mut true, report);
             let known = if word == "base" { &mut decl.base } else { &mut decl.tool };
             if list.is_empty() {
                 report.error_help(
@@ -225,12 +226,9 @@ fn check(decl: &mut Decl, body: &mut Cursor<'_>, report: &mut Report) -> Option<
     }
     body.next();
     body.next();
-    let position = triple(body, "the expected position (x, y, z)", report);
-    let zyx = if body.eat("zyx") {
-        Some(triple(body, "the expected angles zyx(α, β, γ)", report))
-    } else {
-        None
-    };
+    let position = triple(body, "the position (x, y, z)", report);
+    let zyx =
+        if body.eat("zyx") { Some(triple(body, "the orientation zyx(α, β, γ)", report)) } else { None };
     let within = if body.eat("within") { Some(last_expr(body, report)) } else { None };
     let joints = joints.into_iter().collect::<Option<Vec<Expr>>>()?;
     let (position, zyx, within) = (position?, transpose(zyx)?, transpose(within)?);

@@ -56,7 +56,8 @@ fn columns(d: &mut Deriver<'_>, reach: &Reaches, couple: &[Vec<i64>]) -> Vec<Col
         for (stage, joint) in stages.stages.iter().enumerate() {
             let name = joint.joint + 1;
             let axis = d.column(2 * group + 1, 2, &|row| format!("z{name}{}", ["x", "y", "z"][row]));
-            let velocity = reach.from_axis[group].get(stage).map_or([Term::ZERO; 3], |w| linear(d, group, w, name));
+            let velocity =
+                reach.from_axis[group].get(stage).map_or([Term::ZERO; 3], |w| linear(d, group, w, name));
             let (velocity, axis) = match joint.negative {
                 true => (vector::negate(d.exprs, &velocity), vector::negate(d.exprs, &axis)),
                 false => (velocity, axis),
@@ -66,7 +67,8 @@ fn columns(d: &mut Deriver<'_>, reach: &Reaches, couple: &[Vec<i64>]) -> Vec<Col
     }
     for slide in &frames.slides {
         let (level, direction) = d.carry(slide.carrier, &slide.direction);
-        let direction = d.to_world(level, &direction, &|row| format!("d{}{}", slide.joint + 1, ["x", "y", "z"][row]));
+        let direction =
+            d.to_world(level, &direction, &|row| format!("d{}{}", slide.joint + 1, ["x", "y", "z"][row]));
         rows[slide.joint] = join(&direction, &[Term::ZERO; 3]);
     }
     commanded(d.exprs, &rows, couple)
@@ -132,7 +134,11 @@ fn commanded(exprs: &mut Exprs, rows: &[Column], couple: &[Vec<i64>]) -> Vec<Col
 /// The outputs of a Jacobian, column by column: `j11`, `j21`, ….
 pub fn outputs(columns: &[Column]) -> Vec<(String, Term)> {
     let entry = |(j, column): (usize, &Column)| {
-        column.iter().enumerate().map(move |(i, term)| (format!("j{}{}", i + 1, j + 1), *term)).collect::<Vec<_>>()
+        column
+            .iter()
+            .enumerate()
+            .map(move |(i, term)| (format!("j{}{}", i + 1, j + 1), *term))
+            .collect::<Vec<_>>()
     };
     columns.iter().enumerate().flat_map(entry).collect()
 }

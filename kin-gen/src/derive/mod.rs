@@ -79,7 +79,7 @@ impl<'a> Deriver<'a> {
     }
 
     /// A vector's components named `{name}x_{frame}` and so on; in the world without the frame.
-    fn label(&mut self, v: &V3<Term>, name: &dyn Fn(usize) -> String, level: Level) {
+    pub fn label(&mut self, v: &V3<Term>, name: &dyn Fn(usize) -> String, level: Level) {
         let seen_from = match level {
             0 => String::new(),
             _ => {
@@ -157,7 +157,13 @@ impl<'a> Deriver<'a> {
     }
 
     /// Turned down to the level `split`, combined there.
-    fn split(&mut self, level: Level, split: Level, v: &V3<Term>, name: &dyn Fn(usize) -> String) -> V3<Term> {
+    fn split(
+        &mut self,
+        level: Level,
+        split: Level,
+        v: &V3<Term>,
+        name: &dyn Fn(usize) -> String,
+    ) -> V3<Term> {
         let at_split = self.descend(level, split, v, name);
         self.combine(split, &at_split)
     }
@@ -234,6 +240,11 @@ impl<'a> Deriver<'a> {
         }
         let below = self.down(level, &e);
         let column = self.combine(level - 1, &below);
+        if level % 2 == 0 {
+            let frame = self.frames.groups[level / 2 - 1].stages.last().map_or(0, |s| s.joint + 1);
+            let letter = ["x", "y", "z"][axis];
+            self.label(&column, &|row| format!("{letter}{frame}{}", ["x", "y", "z"][row]), 0);
+        }
         self.columns.push(((level, axis), column));
         column
     }
@@ -242,7 +253,9 @@ impl<'a> Deriver<'a> {
     pub fn carry(&mut self, carrier: Carrier, v: &V3<Term>) -> (Level, V3<Term>) {
         match carrier {
             Carrier::World => (0, *v),
-            Carrier::After(group, stage) if stage + 1 == self.frames.groups[group].stages.len() => (2 * group + 2, *v),
+            Carrier::After(group, stage) if stage + 1 == self.frames.groups[group].stages.len() => {
+                (2 * group + 2, *v)
+            }
             Carrier::After(group, stage) => (2 * group + 1, self.turn(group, stage, v)),
         }
     }

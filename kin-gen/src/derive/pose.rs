@@ -69,7 +69,8 @@ pub struct Reaches {
 /// Walks from the tip to the base: planar sums inside each group, turned by the group once.
 pub fn reaches(d: &mut Deriver<'_>, tip: &Mark) -> Reaches {
     let frames = d.frames;
-    let mut from_axis: Vec<Vec<Scaled>> = frames.groups.iter().map(|g| Vec::with_capacity(g.stages.len())).collect();
+    let mut from_axis: Vec<Vec<Scaled>> =
+        frames.groups.iter().map(|g| Vec::with_capacity(g.stages.len())).collect();
     let mut reach = Scaled::of(&[Term::ZERO; 3]);
     let (last_group, last_stage) = match tip.carrier {
         Carrier::World => return Reaches { from_axis, from_world: tip.shift },
@@ -85,6 +86,8 @@ pub fn reaches(d: &mut Deriver<'_>, tip: &Mark) -> Reaches {
             // The far part turns with the whole group, the rest with the joints up to its own.
             let far = if stage + 1 == stages.len() { reach } else { Scaled::of(&[Term::ZERO; 3]) };
             let local = plus(d.exprs, &far, &shift);
+            let joint = stages[stage].joint + 1;
+            d.label(&local.vector, &|i| format!("p{}_{joint}", ["x", "y", "z"][i]), 0);
             let turned = Scaled { factor: local.factor, vector: d.turn(group, stage, &local.vector) };
             in_group = if in_group.is_zero() {
                 turned
@@ -92,6 +95,8 @@ pub fn reaches(d: &mut Deriver<'_>, tip: &Mark) -> Reaches {
                 let whole = turned.whole(d.exprs);
                 plus(d.exprs, &in_group, &whole)
             };
+            // The world's level: the name already says from which axis the tip is seen.
+            d.label(&in_group.vector, &|i| format!("w{joint}{}", ["x", "y", "z"][i]), 0);
             from_axis[group].insert(0, in_group);
         }
         let m = frames.groups[group].from_previous;

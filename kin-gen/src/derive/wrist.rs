@@ -10,7 +10,8 @@ use crate::algebra::vector::{self, M3, V3};
 /// ³R₆ of the last three joints: staged column by column, or with the four products of outer sines and cosines shared.
 pub fn r36(exprs: &mut Exprs, frames: &Frames) -> M3<Term> {
     let start = exprs.mark();
-    let staged = |exprs: &mut Exprs| cheapest_style(exprs, frames, |d| d.rotation(&frames.tip, &rotation_name));
+    let staged =
+        |exprs: &mut Exprs| cheapest_style(exprs, frames, |d| d.rotation(&frames.tip, &rotation_name));
     staged(exprs);
     let work_staged = exprs.work_since(start);
     exprs.roll_back(start);
@@ -27,7 +28,8 @@ pub fn r36(exprs: &mut Exprs, frames: &Frames) -> M3<Term> {
 /// sin a·sin c, … with an entry of M, and those four products serve all of them.
 fn outer_products(exprs: &mut Exprs, frames: &Frames) -> Option<M3<Term>> {
     let [first, second, third] = frames.groups.as_slice() else { return None };
-    let [a, b, c] = [first, second, third].map(|g| g.stages.first().map(|s| s.turn.clone()).unwrap_or_default());
+    let [a, b, c] =
+        [first, second, third].map(|g| g.stages.first().map(|s| s.turn.clone()).unwrap_or_default());
     if [first, second, third].iter().any(|g| g.stages.len() != 1) {
         return None;
     }
@@ -105,7 +107,7 @@ pub fn rotation_of_pose(exprs: &mut Exprs, frames: &Frames, after: &M3<Poly>) ->
             v = d.turn_back(index, group.stages.len() - 1, &v);
             let seen_from = group.stages.last().map_or(0, |s| s.joint + 1);
             for (row, term) in v.iter().enumerate() {
-                d.exprs.label(*term, || format!("{}_{seen_from}", rotation_name(row, i)));
+                d.exprs.label(*term, || format!("m{}{}_{seen_from}", row + 1, i + 1));
             }
         }
         vector::apply(d.exprs, &vector::transpose(&frames.tip.local), &v)

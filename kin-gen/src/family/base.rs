@@ -181,7 +181,9 @@ fn elbow(home: &mut Home<'_>, plane: &Plane, carried: &V3<Poly>) -> Result<Parts
         return Err(Refusal::new("axes 2 and 3 are the same line, so the two joints cannot be told apart"));
     }
     if x3.vanishes(tolerance) && y3.vanishes(tolerance) {
-        return Err(Refusal::new("the point that the base carries lies on axis 3, so joint 3 cannot move it"));
+        return Err(Refusal::new(
+            "the point that the base carries lies on axis 3, so joint 3 cannot move it",
+        ));
     }
     let figure = Figure::Elbow { upper: Quantity::length(&x2, &y2), fore: Quantity::length(&x3, &y3) };
     // The figure angle of the elbow is measured from the upper arm to the forearm.

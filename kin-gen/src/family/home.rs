@@ -10,7 +10,6 @@ use crate::number::Real;
 use crate::quantity::{Linear, roundoff};
 use crate::truth::{self, RawPose, Symbols};
 
-
 /// A joint axis at home.
 #[derive(Clone, Debug)]
 pub struct Line {
@@ -63,7 +62,16 @@ impl<'a> Home<'a> {
         if ring.exhausted() || axes.len() != chain.joints.len() {
             return None;
         }
-        Some(Home { chain, symbols, ring, axes, frames: raw.frames, tip: raw.tip, tool, reach: chain.reach().to_real() })
+        Some(Home {
+            chain,
+            symbols,
+            ring,
+            axes,
+            frames: raw.frames,
+            tip: raw.tip,
+            tool,
+            reach: chain.reach().to_real(),
+        })
     }
 
     /// Every direction must be the same for all values of the parameters.
@@ -112,7 +120,8 @@ impl<'a> Home<'a> {
     pub fn say_length(&self, linear: &Linear) -> String {
         let mut text = format!("{} {}", short(linear.constant.abs()), unit(self.chain.length_unit));
         if !linear.params.is_empty() {
-            let names = linear.params.iter().filter_map(|(_, i)| self.chain.params.get(*i)).map(|p| p.name.as_str());
+            let names =
+                linear.params.iter().filter_map(|(_, i)| self.chain.params.get(*i)).map(|p| p.name.as_str());
             text = format!("a distance that depends on {}", names.collect::<Vec<_>>().join(" and "));
         }
         text
@@ -122,7 +131,8 @@ impl<'a> Home<'a> {
 /// Six significant digits, without an exponent where that reads well.
 fn short(value: Real) -> String {
     let value = value.to_f64();
-    let text = if (1e-4..1e7).contains(&value) { format!("{value:.9}") } else { return format!("{value:.3e}") };
+    let text =
+        if (1e-4..1e7).contains(&value) { format!("{value:.9}") } else { return format!("{value:.3e}") };
     let digits = text.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
     let surplus = digits.saturating_sub(6).min(9);
     let text = format!("{value:.*}", 9 - surplus);

@@ -82,7 +82,10 @@ pub fn recognise(chain: &Chain, symbols: &Symbols) -> (Inverse, Ring) {
     ));
     for family in candidates {
         if family.joints != joints {
-            last = Refusal::new(format!("the family {} has {} joints, this arm has {joints}", family.name, family.joints));
+            last = Refusal::new(format!(
+                "the family {} has {} joints, this arm has {joints}",
+                family.name, family.joints
+            ));
             continue;
         }
         let Some(mut home) = Home::new(chain, symbols) else {

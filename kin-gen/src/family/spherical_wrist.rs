@@ -53,7 +53,10 @@ pub struct SphericalWrist {
 pub fn recognise(home: &mut Home<'_>) -> Result<Inverse, Refusal> {
     home.require_fixed_directions()?;
     if let Some(index) = (3..6).find(|i| home.axes[*i].kind != JointKind::Revolute) {
-        return Err(Refusal::new(format!("joint {} slides, so the last three axes are no spherical wrist", index + 1)));
+        return Err(Refusal::new(format!(
+            "joint {} slides, so the last three axes are no spherical wrist",
+            index + 1
+        )));
     }
     let centre = wrist_centre(home)?;
     let base = base::recognise(home, &centre)?;
@@ -63,7 +66,13 @@ pub fn recognise(home: &mut Home<'_>) -> Result<Inverse, Refusal> {
     let from_tip = vector::sub(&mut home.ring, &centre, &tip.position);
     let centre_in_tool = vector::apply(&mut home.ring, &vector::transpose(&tip.rotation), &from_tip);
     let tool_to_frame6 = vector::transpose(&home.tool.rotation);
-    Ok(Inverse::Pose(Box::new(SphericalWrist { base, wrist, centre_in_frame3, centre_in_tool, tool_to_frame6 })))
+    Ok(Inverse::Pose(Box::new(SphericalWrist {
+        base,
+        wrist,
+        centre_in_frame3,
+        centre_in_tool,
+        tool_to_frame6,
+    })))
 }
 
 /// A point in the coordinates of one joint's frame.
@@ -98,7 +107,11 @@ fn wrist_centre(home: &mut Home<'_>) -> Result<V3<Poly>, Refusal> {
     let miss = norm(&[x?, y?, z?]);
     if !miss.vanishes(home.tolerance()) {
         let distance = home.say_length(&miss);
-        return Err(refuse(home, &format!("axis 6 misses the common point of axes 4 and 5 by {distance}"), 5));
+        return Err(refuse(
+            home,
+            &format!("axis 6 misses the common point of axes 4 and 5 by {distance}"),
+            5,
+        ));
     }
     Ok(centre)
 }
@@ -112,7 +125,9 @@ fn refuse(home: &Home<'_>, what: &str, joint: usize) -> Refusal {
 fn culprit(home: &Home<'_>, joint: usize) -> Option<usize> {
     let elements = &home.chain.elements;
     let position = |wanted: usize| {
-        elements.iter().position(|e| matches!(e.motion, crate::chain::Motion::Revolute { joint, .. } if joint == wanted))
+        elements
+            .iter()
+            .position(|e| matches!(e.motion, crate::chain::Motion::Revolute { joint, .. } if joint == wanted))
     };
     let (from, to) = (position(3)?, position(joint)?);
     (from..to).rev().find(|i| matches!(elements[*i].motion, crate::chain::Motion::Shift(_)))
@@ -175,8 +190,7 @@ fn wrist(home: &mut Home<'_>) -> Wrist {
     if orthogonal {
         let x = vector::cross(&mut home.ring, &z5, &z4);
         let before = vector::from_columns(&x, &z5, &z4);
-        let (cosine, sine) =
-            (vector::dot(&mut home.ring, &z6, &z4), vector::dot(&mut home.ring, &z6, &x));
+        let (cosine, sine) = (vector::dot(&mut home.ring, &z6, &z4), vector::dot(&mut home.ring, &z6, &x));
         let bend = vector::rotation(&mut home.ring, 1, &cosine, &sine);
         let left = vector::product(&mut home.ring, &vector::transpose(&at_home), &before);
         let after = vector::product(&mut home.ring, &left, &bend);
@@ -216,7 +230,8 @@ fn basis(z: &[Real; 3]) -> [[Real; 3]; 3] {
     };
     let mut e = [Real::ZERO; 3];
     e[least] = Real::ONE;
-    let cross = |a: &[Real; 3], b: &[Real; 3]| [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i]);
+    let cross =
+        |a: &[Real; 3], b: &[Real; 3]| [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i]);
     let x = cross(&e, z);
     let length = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
     let x = x.map(|c| c / length);
