@@ -43,7 +43,7 @@ impl<'a> Namer<'a> {
         }
         self.name_outputs(program);
         let mut turn_names: Vec<Option<String>> = vec![None; program.turns.len()];
-        for index in 0..program.steps.len() {
+        for (index, count) in uses.into_iter().enumerate() {
             if program.steps[index].name.is_some() {
                 continue;
             }
@@ -58,7 +58,7 @@ impl<'a> Namer<'a> {
                 Op::Constant(meaning, _) => Some(self.unique(constant_name(self.ring, meaning))),
                 Op::Param(param) => Some(self.unique(self.ring.param_name(*param))),
                 Op::Slide(_) | Op::Entry(_) => None,
-                Op::Add(..) | Op::Sub(..) | Op::Mul(..) if uses[index] > 1 => {
+                Op::Add(..) | Op::Sub(..) | Op::Mul(..) if count > 1 => {
                     let wanted = self.value_name(program, index);
                     Some(self.unique(wanted))
                 }
@@ -74,11 +74,11 @@ impl<'a> Namer<'a> {
             if let Value::Step { index, negative } = output.value {
                 let step = &mut program.steps[index];
                 let computed = matches!(step.op, Op::Add(..) | Op::Sub(..) | Op::Mul(..));
-                if computed
-                    && (negative || step.name.is_none())
-                    && self.taken.insert(output.name.clone())
-                    && !negative
-                {
+                if !computed || (step.name.is_some() && !negative) {
+                    continue;
+                }
+                let free = self.taken.insert(output.name.clone());
+                if free && !negative {
                     step.name = Some(output.name.clone());
                 }
             }
@@ -131,12 +131,11 @@ impl<'a> Namer<'a> {
         if let Some(Some(label)) = self.labels.get(index) {
             return label.clone();
         }
-        if let Op::Mul(a, b) = program.steps[index].op {
-            if let (Some(a), Some(b)) = (&program.steps[a].name, &program.steps[b].name) {
-                if a.len() + b.len() <= LONGEST_PRODUCT {
-                    return format!("{a}{b}");
-                }
-            }
+        if let Op::Mul(a, b) = program.steps[index].op
+            && let (Some(a), Some(b)) = (&program.steps[a].name, &program.steps[b].name)
+            && a.len() + b.len() <= LONGEST_PRODUCT
+        {
+            return format!("{a}{b}");
         }
         self.fresh += 1;
         format!("k{}", self.fresh)
@@ -146,7 +145,7 @@ impl<'a> Namer<'a> {
 /// `a2`, `d1_d2` for a sum, else `k`.
 fn constant_name(ring: &Ring, meaning: &Poly) -> String {
     let text = ring.show(meaning).to_string();
-    let simple = text.replace(" + ", "_").replace('·', "").replace('φ', "");
+    let simple = text.replace(" + ", "_").replace(['·', 'φ'], "");
     let ascii = simple.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let starts = simple.chars().next().is_some_and(|c| c.is_ascii_alphabetic());
     if ascii && starts && simple.len() <= 16 { simple } else { "k".to_owned() }

@@ -224,10 +224,10 @@ impl Program {
     pub fn prove(&self, ring: &mut Ring, symbols: &Symbols, truth: &[Poly]) -> Result<(), Mismatch> {
         self.validate()?;
         for (index, step) in self.steps.iter().enumerate() {
-            if let Op::Constant(meaning, value) = &step.op {
-                if !ring.is_constant(meaning) || ring.value(meaning).to_f64().to_bits() != value.to_bits() {
-                    return Err(Mismatch::Constant { step: index });
-                }
+            if let Op::Constant(meaning, value) = &step.op
+                && (!ring.is_constant(meaning) || ring.value(meaning).to_f64().to_bits() != value.to_bits())
+            {
+                return Err(Mismatch::Constant { step: index });
             }
         }
         if self.outputs.len() != truth.len() {
@@ -311,11 +311,11 @@ fn reachable(exprs: &Exprs, outputs: &[(String, Term)]) -> Vec<Id> {
         wanted[term.id.0 as usize] = true;
     }
     for index in (0..wanted.len()).rev() {
-        if wanted[index] {
-            if let Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) = exprs.node(Id(index as u32)) {
-                wanted[a.0 as usize] = true;
-                wanted[b.0 as usize] = true;
-            }
+        if wanted[index]
+            && let Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) = exprs.node(Id(index as u32))
+        {
+            wanted[a.0 as usize] = true;
+            wanted[b.0 as usize] = true;
         }
     }
     let rank = |id: &Id| match exprs.node(*id) {

@@ -7,7 +7,7 @@
 //! the joints are equal when their forms are.
 
 use std::cell::Cell;
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 use std::fmt;
 
 use crate::number::{Angle, Real, Scalar};
@@ -345,7 +345,7 @@ impl Ring {
         }
         // Multiplying by one monomial keeps the order of the other factor.
         if reduced || (a.terms.len() > 1 && b.terms.len() > 1) {
-            terms.sort_unstable_by(|x, y| y.0.cmp(&x.0));
+            terms.sort_unstable_by_key(|term| Reverse(term.0));
             self.merge(&mut terms);
         }
         Poly { terms }
@@ -410,7 +410,7 @@ impl Ring {
             .filter(|(m, _)| m.exponent(var) > 0)
             .map(|&(m, c)| (m.without(one), self.checked(c.checked_mul(i64::from(m.exponent(var))))))
             .collect();
-        terms.sort_unstable_by(|x, y| y.0.cmp(&x.0));
+        terms.sort_unstable_by_key(|term| Reverse(term.0));
         Poly { terms }
     }
 
@@ -433,7 +433,7 @@ impl Ring {
         parts
             .into_iter()
             .map(|(key, mut poly)| {
-                poly.terms.sort_unstable_by(|x, y| y.0.cmp(&x.0));
+                poly.terms.sort_unstable_by_key(|term| Reverse(term.0));
                 (Poly { terms: vec![(key, 1)] }, poly)
             })
             .collect()

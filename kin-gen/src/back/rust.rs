@@ -282,8 +282,8 @@ impl Printer<'_> {
         let offsets = offsets.join(", ");
         match &wrist.form {
             WristForm::Orthogonal => format!("{krate}::private::zyz({m}, [{offsets}], [false; 3])"),
-            WristForm::Oblique(k4, k5) => {
-                let (k4, k5) = (self.numbers(k4), self.numbers(k5));
+            WristForm::Oblique(between) => {
+                let [k4, k5] = [&between[0], &between[1]].map(|k| self.numbers(k));
                 format!("{krate}::private::oblique({m}, {k4}, {k5}, [{offsets}], [false; 3])")
             }
         }

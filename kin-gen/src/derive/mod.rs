@@ -84,8 +84,8 @@ impl<'a> Deriver<'a> {
             0 => String::new(),
             _ => {
                 let group = &self.frames.groups[(level - 1) / 2];
-                let stage = if level % 2 == 1 { group.stages.first() } else { group.stages.last() };
-                let joint = stage.map_or(0, |s| s.joint + usize::from(level % 2 == 0));
+                let stage = if !level.is_multiple_of(2) { group.stages.first() } else { group.stages.last() };
+                let joint = stage.map_or(0, |s| s.joint + usize::from(level.is_multiple_of(2)));
                 format!("_{joint}")
             }
         };
@@ -119,7 +119,7 @@ impl<'a> Deriver<'a> {
     /// One level down.
     fn down(&mut self, level: Level, v: &V3<Term>) -> V3<Term> {
         let group = (level - 1) / 2;
-        if level % 2 == 0 {
+        if level.is_multiple_of(2) {
             let last = self.frames.groups[group].stages.len() - 1;
             self.turn(group, last, v)
         } else {
@@ -172,7 +172,7 @@ impl<'a> Deriver<'a> {
         let mut v = *v;
         for level in (to + 1..=from).rev() {
             v = self.down(level, &v);
-            if level % 2 == 0 || level == 1 {
+            if level.is_multiple_of(2) || level == 1 {
                 self.label(&v, name, level - 1);
             }
         }
@@ -182,10 +182,10 @@ impl<'a> Deriver<'a> {
     /// The columns of `level` times the components of `v`.
     fn combine(&mut self, level: Level, v: &V3<Term>) -> V3<Term> {
         let mut sum = vector::origin(self.exprs);
-        for axis in 0..3 {
-            if v[axis] != Term::ZERO {
+        for (axis, component) in v.iter().enumerate() {
+            if *component != Term::ZERO {
                 let column = self.column_upwards(level, axis);
-                let part = vector::scale(self.exprs, &v[axis], &column);
+                let part = vector::scale(self.exprs, component, &column);
                 sum = vector::add(self.exprs, &sum, &part);
             }
         }
@@ -240,7 +240,7 @@ impl<'a> Deriver<'a> {
         }
         let below = self.down(level, &e);
         let column = self.combine(level - 1, &below);
-        if level % 2 == 0 {
+        if level.is_multiple_of(2) {
             let frame = self.frames.groups[level / 2 - 1].stages.last().map_or(0, |s| s.joint + 1);
             let letter = ["x", "y", "z"][axis];
             self.label(&column, &|row| format!("{letter}{frame}{}", ["x", "y", "z"][row]), 0);

@@ -15,10 +15,10 @@ pub fn r36(exprs: &mut Exprs, frames: &Frames) -> M3<Term> {
     staged(exprs);
     let work_staged = exprs.work_since(start);
     exprs.roll_back(start);
-    if let Some(shared) = outer_products(exprs, frames) {
-        if exprs.work_since(start) < work_staged {
-            return shared;
-        }
+    if let Some(shared) = outer_products(exprs, frames)
+        && exprs.work_since(start) < work_staged
+    {
+        return shared;
     }
     exprs.roll_back(start);
     staged(exprs)

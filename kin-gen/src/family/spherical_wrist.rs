@@ -18,7 +18,7 @@ pub enum WristForm {
     /// Axis 5 perpendicular to axes 4 and 6: m = Rz(a)·Ry(b)·Rz(c).
     Orthogonal,
     /// Any other angles: m = Rz(a)·K₄·Rz(b)·K₅·Rz(c), with these two rotations by rows.
-    Oblique([[Real; 3]; 3], [[Real; 3]; 3]),
+    Oblique(Box<[[[Real; 3]; 3]; 2]>),
 }
 
 /// The wrist.
@@ -215,7 +215,12 @@ fn oblique(home: &mut Home<'_>, axes: [V3<Poly>; 3], at_home: &M3<Poly>) -> Wris
     let [(b4, n4), (_, n5), (b6, n6)] = frames;
     let after = vector::product(&mut home.ring, &vector::transpose(at_home), &b6);
     let offsets = [3, 4, 5].map(|i| Quantity::angle(home.axes[i].offset.clone(), &[]));
-    Wrist { form: WristForm::Oblique(relative(&n4, &n5), relative(&n5, &n6)), before: b4, after, offsets }
+    Wrist {
+        form: WristForm::Oblique(Box::new([relative(&n4, &n5), relative(&n5, &n6)])),
+        before: b4,
+        after,
+        offsets,
+    }
 }
 
 /// A rotation whose third column is the given unit vector.
