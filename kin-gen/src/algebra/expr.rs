@@ -117,6 +117,29 @@ pub enum Node {
     Mul(Id, Id),
 }
 
+/// Hash buckets of the graph: about as many as a large arm has nodes.
+const BUCKETS: usize = 1024;
+
+impl Node {
+    /// Where to look for it: a fixed function, so that output never depends on a seed.
+    fn bucket(self) -> usize {
+        let (kind, a, b) = match self {
+            Node::Zero => (0, 0, 0),
+            Node::One => (1, 0, 0),
+            Node::Constant(index) => (2, index, 0),
+            Node::Param(index) => (3, index, 0),
+            Node::Slide(index) => (4, index, 0),
+            Node::Entry(index) => (5, index, 0),
+            Node::Cos(turn) => (6, turn, 0),
+            Node::Sin(turn) => (7, turn, 0),
+            Node::Add(a, b) => (8, a.0 as usize, b.0 as usize),
+            Node::Sub(a, b) => (9, a.0 as usize, b.0 as usize),
+            Node::Mul(a, b) => (10, a.0 as usize, b.0 as usize),
+        };
+        (kind * 331 + a * 37 + b * 101) % BUCKETS
+    }
+}
+
 /// A state of the graph to which it can be rolled back.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Mark {
@@ -131,7 +154,10 @@ pub struct Exprs {
     /// The ring in which constants have their meaning.
     pub ring: Ring,
     nodes: Vec<Node>,
-    index: BTreeMap<Node, Id>,
+    /// The newest node of each hash bucket, and for each node the next older one of its bucket: as nodes are only
+    /// added and taken back at the end, rolling back restores both exactly.
+    newest: Vec<Option<Id>>,
+    older: Vec<Option<Id>>,
     constants: Vec<Poly>,
     turns: Vec<Turn>,
     labels: BTreeMap<Id, String>,
@@ -143,7 +169,8 @@ impl Exprs {
         let mut exprs = Exprs {
             ring,
             nodes: Vec::new(),
-            index: BTreeMap::new(),
+            newest: vec![None; BUCKETS],
+            older: Vec::new(),
             constants: Vec::new(),
             turns: Vec::new(),
             labels: BTreeMap::new(),
@@ -174,12 +201,18 @@ impl Exprs {
     }
 
     fn intern(&mut self, node: Node) -> Id {
-        if let Some(&id) = self.index.get(&node) {
-            return id;
+        let bucket = node.bucket();
+        let mut next = self.newest[bucket];
+        while let Some(id) = next {
+            if self.nodes[id.0 as usize] == node {
+                return id;
+            }
+            next = self.older[id.0 as usize];
         }
         let id = Id(self.nodes.len() as u32);
         self.nodes.push(node);
-        self.index.insert(node, id);
+        self.older.push(self.newest[bucket]);
+        self.newest[bucket] = Some(id);
         id
     }
 
@@ -194,8 +227,10 @@ impl Exprs {
 
     /// Forgets everything made since the mark.
     pub fn roll_back(&mut self, mark: Mark) {
-        for node in self.nodes.drain(mark.nodes..) {
-            self.index.remove(&node);
+        while self.nodes.len() > mark.nodes {
+            if let (Some(node), Some(older)) = (self.nodes.pop(), self.older.pop()) {
+                self.newest[node.bucket()] = older;
+            }
         }
         self.constants.truncate(mark.constants);
         self.turns.truncate(mark.turns);
