@@ -17,6 +17,9 @@ use super::nearest::nearest;
 use super::{AngleUnit, Decl, Form, LengthUnit, MAX_TOKENS, Unit, expr, statement, table};
 use crate::report::{At, Place, Report, Spanned};
 
+/// After so many mistakes more messages help nobody.
+const MAX_FAILURES: usize = 100;
+
 const SHELL: &str = "write `struct Name(modified, mm, deg);` with your convention and units";
 
 /// Reads one declaration. `None` only if it has no name; every mistake is in the report, and what could be read is in
@@ -168,6 +171,7 @@ fn header_complete(decl: &Decl, place: Place, report: &mut Report) {
 }
 
 fn statements(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) {
+    let mut failed = 0;
     loop {
         skip_attributes(cursor, report);
         if cursor.is_empty() {
@@ -176,37 +180,46 @@ fn statements(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) {
         if cursor.eat(";") {
             continue;
         }
-        if cursor.is("|") {
-            let place = cursor.place();
-            let read = table::table(cursor, report);
-            decl.whole &= read.whole;
-            if decl.table.is_some() {
-                report.error(place, "this is the second table; an arm has one");
-            } else {
-                decl.table = Some(read.table);
-            }
-            continue;
-        }
-        let from = *cursor;
-        let mut body = cursor.until(|t| t.is(";"));
-        let length = body.len();
-        let read = statement::statement(decl, &mut body, report);
-        if read.is_none() {
-            resume_inside(&mut body, length, report, false);
-        } else if !body.is_empty() {
-            resume_inside(&mut body, length, report, true);
-        } else if cursor.is_empty() {
-            report.error(cursor.place(), "a `;` is missing at the end");
-        } else {
-            cursor.next();
-            continue;
-        }
-        // What is left of the body starts with a statement, or nothing is left of it.
-        *cursor = from;
-        for _ in 0..length - body.len() {
-            cursor.next();
+        failed += usize::from(!one_statement(decl, cursor, report));
+        if failed >= MAX_FAILURES {
+            let message = format!("{failed} statements could not be read; the rest is not looked at");
+            return report.error(cursor.place(), message);
         }
     }
+}
+
+/// Reads one statement and its `;`, or the table. `false` after a mistake, at the next place that looks right.
+fn one_statement(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) -> bool {
+    if cursor.is("|") {
+        let place = cursor.place();
+        let read = table::table(cursor, report);
+        decl.whole &= read.whole;
+        if decl.table.is_some() {
+            report.error(place, "this is the second table; an arm has one");
+            return false;
+        }
+        decl.table = Some(read.table);
+        return true;
+    }
+    let from = *cursor;
+    let mut body = cursor.until(|t| t.is(";"));
+    let length = body.len();
+    let read = statement::statement(decl, &mut body, report);
+    if read.is_none() {
+        resume_inside(&mut body, length, report, false);
+    } else if !body.is_empty() {
+        resume_inside(&mut body, length, report, true);
+    } else if cursor.is_empty() {
+        report.error(cursor.place(), "a `;` is missing at the end");
+    } else {
+        return true;
+    }
+    // What is left of the body starts with a statement, or nothing is left of it.
+    *cursor = from;
+    for _ in 0..length - body.len() {
+        cursor.next();
+    }
+    false
 }
 
 /// Says what is wrong with the next token and moves to the next keyword that starts a statement.
