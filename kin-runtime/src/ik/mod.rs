@@ -1,0 +1,39 @@
+//! Inverse kinematics: one page for each family, and what they share.
+//!
+//! * [`base`]: the first three joints put the wrist centre (or the tool point) in its place, by named figures.
+//! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
+//! * [`spherical_wrist`]: both together, for six-joint arms.
+//! * [`position`]: the base alone, for three-joint arms.
+//! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
+//!
+//! A new family is a page here that works on a plain struct of constants, a hidden trait in [`private`](crate::private)
+//! through which generated code hands over that struct, and its recognition in kin-gen.
+//!
+//! # Round-off
+//!
+//! Three windows decide, each a multiple of ε times the size of what is compared (the arm's reach, or the pose's
+//! distance from the base if that is larger):
+//!
+//! * [`BOUNDARY`]: a figure that is closed but for this counts as just touching, and is clamped there;
+//! * [`FAMILY`]: a figure collapsed to within this leaves its coordinate free;
+//! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
+
+pub mod base;
+pub mod position;
+pub mod spherical_wrist;
+pub mod target;
+pub mod wrist;
+
+pub use base::{Base, ElbowBase, TelescopeBase};
+pub use wrist::{Wrist, WristFamily};
+
+/// Round-off that a touching figure may show, in units of ε times the size. A pose that is exactly on the boundary
+/// comes out within 3; one that misses it by ten thousand times as much must not be called reachable.
+pub const BOUNDARY: f64 = 8.0;
+
+/// How far a collapsed figure may be from collapsed, in units of ε times the size. All members of the family then
+/// reach the pose within [`ACCEPTED`].
+pub const FAMILY: f64 = 32.0;
+
+/// The largest residual of a solution that is given out, in units of ε.
+pub const ACCEPTED: f64 = 64.0;

@@ -1,0 +1,158 @@
+//! Six joints, the last three axes through one point: the base puts that point in its place, the wrist turns the tool.
+//!
+//! ```text
+//! pose ─► wrist centre ─► base figures ─► four (t1, t2, t3) ─► ³R₆ = ⁰R₃ᵀ·R ─► wrist ─► eight (t1 … t6) ─► checked q
+//! ```
+
+use crate::JointKind;
+use crate::ik::base::Placed;
+use crate::ik::target::{Target, accepted};
+use crate::ik::wrist::Wrist;
+use crate::math::{self, Float};
+use crate::pose::{self, Joints, Pose};
+use crate::private::SolveWrist;
+use crate::solutions::{
+    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Posture, Reason, Slot, Solution, Solutions,
+};
+use nalgebra::SVector;
+
+/// All solutions; free coordinates by the convention of seed 000.
+pub fn solve<T: Float, A: SolveWrist<6>>(arm: &A, pose: &Pose<T>) -> Solutions<T, 6, Posture> {
+    solve_choosing(arm, pose, None)
+}
+
+/// All solutions; free coordinates keep their values in `hold`.
+pub fn solve_holding<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    pose: &Pose<T>,
+    hold: &Joints<T, 6>,
+) -> Solutions<T, 6, Posture> {
+    solve_choosing(arm, pose, Some(arm.rows(pose::entries(hold))))
+}
+
+fn solve_choosing<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    pose: &Pose<T>,
+    hold: Option<[T; 6]>,
+) -> Solutions<T, 6, Posture> {
+    let sliding = JointSet::sliding(A::JOINTS.iter().map(|joint| joint.kind));
+    let reach = T::lit(arm.reach());
+    let target = match Target::new(pose, reach) {
+        Ok(target) => target,
+        Err(reason) => return Solutions::none(sliding, reason),
+    };
+    let held = hold.map(|[t1, t2, ..]| [t1, t2]);
+    let placements = arm.base::<T>().place(arm.wrist_centre(&target.pose), target.scale, held);
+    let mut solutions = Solutions::none(sliding, Reason::NotFinite);
+    for posture in ArmPosture::ALL {
+        let [noflip, flip] = match posture.of(&placements) {
+            Ok(placed) => bend(arm, &target, *posture, placed, hold),
+            Err(reason) => [Slot::Empty(*reason); 2],
+        };
+        solutions.put(posture.with(Bend::NoFlip), noflip);
+        solutions.put(posture.with(Bend::Flip), flip);
+    }
+    solutions.merge(reach);
+    solutions
+}
+
+/// The two slots of one placement of the wrist centre.
+fn bend<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    target: &Target<T>,
+    posture: ArmPosture,
+    placed: &Placed<T>,
+    hold: Option<[T; 6]>,
+) -> [Slot<T, 6, Posture>; 2] {
+    let [t1, t2, t3] = placed.rows;
+    let free = |wrist| Free {
+        shoulder: placed.shoulder_free.then(|| moving(arm, target, placed.rows, 0)),
+        elbow: placed.elbow_free.then(|| moving(arm, target, placed.rows, 1)),
+        wrist,
+    };
+    let slot = |bend, [t4, t5, t6]: [T; 3], wrist| {
+        check(arm, target, posture.with(bend), [t1, t2, t3, t4, t5, t6], free(wrist))
+    };
+    match arm.wrist_angles(&arm.wrist_rotation(placed.rows, &target.pose)) {
+        Wrist::Two { noflip, flip } => [slot(Bend::NoFlip, noflip, None), slot(Bend::Flip, flip, None)],
+        Wrist::Family(family) => {
+            let member = match hold {
+                Some([_, _, _, t4, _, _]) => family.member(t4),
+                None => family.even(),
+            };
+            let line = line(arm, family.difference);
+            let merged = Slot::Merged { with: posture.with(Bend::NoFlip) };
+            match slot(Bend::NoFlip, member, Some(line)) {
+                Slot::Empty(reason) => [Slot::Empty(reason); 2],
+                solved => [solved, merged],
+            }
+        }
+        Wrist::OutOfReach { by } => {
+            [Slot::Empty(Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) }); 2]
+        }
+    }
+}
+
+/// The joint values that command these row values, if forward kinematics confirms them.
+fn check<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    target: &Target<T>,
+    branch: Posture,
+    rows: [T; 6],
+    free: Free<6>,
+) -> Slot<T, 6, Posture> {
+    let q = commanded(arm, rows);
+    match accepted(target.missed_by(&arm.fk(&q))) {
+        Ok(residual) => Slot::Solved(Solution { branch, q, residual, free }),
+        Err(reason) => Slot::Empty(reason),
+    }
+}
+
+/// What the caller commands for these row values, angles in (-π, π].
+fn commanded<T: Float, A: SolveWrist<6>>(arm: &A, rows: [T; 6]) -> Joints<T, 6> {
+    let mut q = arm.command(rows);
+    for (value, joint) in q.iter_mut().zip(&A::JOINTS) {
+        if joint.kind == JointKind::Revolute {
+            *value = math::wrap(*value);
+        }
+    }
+    pose::column(q)
+}
+
+/// The direction in which the joints may go when axes 4 and 6 coincide: whole numbers, because couplings are.
+fn line<A: SolveWrist<6>>(arm: &A, difference: bool) -> SVector<i8, 6> {
+    let back = if difference { 1.0 } else { -1.0 };
+    SVector::from(arm.command([0.0, 0.0, 0.0, 1.0, 0.0, back]).map(|step: f64| step as i8))
+}
+
+/// The joints that move when the free joint `of` does, told from two other members of the family.
+fn moving<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3], of: usize) -> JointSet {
+    let here = sample(arm, target, rows);
+    let mut set = JointSet::EMPTY.with(of);
+    for step in [1.0, 2.5] {
+        let mut other = rows;
+        if let Some(value) = other.get_mut(of) {
+            *value = *value + T::lit(step);
+        }
+        let there = sample(arm, target, other);
+        if let (Some(here), Some(there)) = (here, there) {
+            for (joint, (a, b)) in pose::entries(&here).into_iter().zip(pose::entries(&there)).enumerate() {
+                if math::abs(math::wrap(a - b)) > T::lit(64.0) * math::sqrt(T::EPS) {
+                    set = set.with(joint);
+                }
+            }
+        }
+    }
+    set
+}
+
+/// One of the joint vectors with the given first three row values, where the wrist can follow.
+fn sample<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3]) -> Option<Joints<T, 6>> {
+    let [t4, t5, t6] = match arm.wrist_angles(&arm.wrist_rotation(rows, &target.pose)) {
+        Wrist::Two { noflip, .. } => noflip,
+        Wrist::Family(family) => family.even(),
+        Wrist::OutOfReach { .. } => return None,
+    };
+    let [t1, t2, t3] = rows;
+    Some(commanded(arm, [t1, t2, t3, t4, t5, t6]))
+}

@@ -1,0 +1,122 @@
+//! The pose to be reached: whether it can be asked for at all, and whether joint values reach it.
+
+use crate::ik::ACCEPTED;
+use crate::math::{self, Float};
+use crate::pose::{self, Pose};
+use crate::solutions::{Boundary, Reason};
+
+/// A pose whose rotation is one to the last bits, and the size against which it is judged.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<T: Float> {
+    /// The pose, its rotation made orthonormal.
+    pub pose: Pose<T>,
+    /// The arm's reach, or the largest coordinate of the pose if that is larger.
+    pub scale: T,
+}
+
+impl<T: Float> Target<T> {
+    /// Checks a pose for an arm of the given reach.
+    ///
+    /// # Errors
+    /// The reason that every slot is to show: not finite, not a rotation, or so far away that the numbers themselves
+    /// would overflow.
+    pub fn new(pose: &Pose<T>, reach: T) -> Result<Self, Reason<T>> {
+        let (rotation, position) = pose::rows(pose);
+        let scale = size(&position, reach)?;
+        let rotation = orthonormal(rotation)?;
+        Ok(Self { pose: pose::from_rows(rotation, position), scale })
+    }
+
+    /// How far another pose misses this one: the largest difference of position entries over the scale, or of
+    /// rotation entries.
+    pub fn missed_by(&self, other: &Pose<T>) -> T {
+        let (rotation, position) = pose::rows(&self.pose);
+        let (other_rotation, other_position) = pose::rows(other);
+        let mut worst = distance(&position, &other_position) / self.scale;
+        for (row, other_row) in rotation.iter().zip(&other_rotation) {
+            worst = math::max(distance(row, other_row), worst);
+        }
+        worst
+    }
+}
+
+/// The size of a position, at least `reach`.
+///
+/// # Errors
+/// An entry is not finite, or so large that no figure can be trusted.
+pub fn size<T: Float>(position: &[T; 3], reach: T) -> Result<T, Reason<T>> {
+    let largest = distance(position, &[T::lit(0.0); 3]);
+    if !math::is_finite(largest) || !position.iter().all(|x| math::is_finite(*x)) {
+        return Err(Reason::NotFinite);
+    }
+    if largest * T::EPS > reach {
+        // Beyond this the squares of a figure could overflow, and the arm is less than round-off of the distance.
+        return Err(Reason::OutOfReach { by: largest - reach, towards: Boundary::OuterCircle, theta1: None });
+    }
+    Ok(math::max(largest, reach))
+}
+
+/// The largest difference between two triples; NaN if an entry is, so that a NaN is never taken for a hit.
+pub fn distance<T: Float>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
+    let (dx, dy, dz) = (math::abs(*a - *x), math::abs(*b - *y), math::abs(*c - *z));
+    // `max` gives its second argument where there is no order; the sum carries a NaN through.
+    math::max(dx, math::max(dy, math::max(dz, T::lit(0.0) * (dx + dy + dz))))
+}
+
+/// Whether a residual is round-off.
+pub fn accepted<T: Float>(residual: T) -> Result<T, Reason<T>> {
+    if residual <= T::lit(ACCEPTED) * T::EPS {
+        return Ok(residual);
+    }
+    Err(Reason::Inaccurate { residual: known(residual) })
+}
+
+/// A number to report, where the true one overflowed.
+fn known<T: Float>(x: T) -> T {
+    if math::is_finite(x) { x } else { T::lit(1.0) / T::EPS }
+}
+
+/// The rotation nearest to a matrix that is one but for rounding of its source: half of the defect 1 - RᵀR is given
+/// back to R, which squares it, until nothing is left.
+fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
+    if r.iter().flatten().any(|x| !math::is_finite(*x)) {
+        return Err(Reason::NotFinite);
+    }
+    let (mut gap, mut defect) = gap(&r);
+    if !(defect <= T::lit(64.0) * math::sqrt(T::EPS)) {
+        return Err(Reason::NotARotation { defect: known(defect) });
+    }
+    let [x, y, z] = &r;
+    if pose::dot(x, &cross(y, z)) < T::lit(0.0) {
+        return Err(Reason::NotARotation { defect: T::lit(2.0) });
+    }
+    for _ in 0..3 {
+        if defect <= T::lit(4.0) * T::EPS {
+            break;
+        }
+        let correction = pose::product(&r, &gap);
+        for (row, extra) in r.iter_mut().zip(&correction) {
+            for (x, dx) in row.iter_mut().zip(extra) {
+                *x = *x + T::lit(0.5) * *dx;
+            }
+        }
+        (gap, defect) = self::gap(&r);
+    }
+    Ok(r)
+}
+
+/// 1 - RᵀR and its largest entry.
+fn gap<T: Float>(r: &[[T; 3]; 3]) -> ([[T; 3]; 3], T) {
+    let one = T::lit(1.0);
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = pose::product(&pose::transposed(r), r);
+    let gap = [[one - xx, -xy, -xz], [-xy, one - yy, -yz], [-xz, -yz, one - zz]];
+    let mut defect = T::lit(0.0);
+    for row in &gap {
+        defect = math::max(defect, distance(row, &[T::lit(0.0); 3]));
+    }
+    (gap, defect)
+}
+
+fn cross<T: Float>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> [T; 3] {
+    [*b * *z - *c * *y, *c * *x - *a * *z, *a * *y - *b * *x]
+}

@@ -1,0 +1,178 @@
+//! Three axes through one point: the last three joints from the rotation that they must produce.
+
+use crate::geometry::{Corner, cone_meets_cone};
+use crate::ik::{BOUNDARY, FAMILY};
+use crate::math::{self, Float};
+use crate::pose;
+
+/// What the last three joints can do about a rotation. All values are row values: angles in (-π, π].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Wrist<T> {
+    /// Two ways: bent positively and bent negatively. They may be equal where an oblique wrist is stretched.
+    Two {
+        /// Bent positively.
+        noflip: [T; 3],
+        /// Bent negatively.
+        flip: [T; 3],
+    },
+    /// Axes 4 and 6 coincide: infinitely many ways.
+    Family(WristFamily<T>),
+    /// The axis of joint 6 cannot point there: only for an oblique wrist.
+    OutOfReach {
+        /// The angle that is missing.
+        by: T,
+    },
+}
+
+/// All ways of a wrist whose axes 4 and 6 coincide: only the sum or the difference of their angles is known.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct WristFamily<T> {
+    /// Whether `t4 - t6` is constant; otherwise `t4 + t6` is.
+    pub difference: bool,
+    /// That constant, in (-π, π].
+    pub constant: T,
+    /// The member that the entries of the rotation favour: what round-off has left of t4.
+    own: T,
+    /// The bend at which the axes coincide exactly.
+    straight: T,
+    /// How far the bend of the member `own` is from that: round-off.
+    tilt: T,
+}
+
+impl<T: Float> WristFamily<T> {
+    /// The member with the given t4.
+    pub fn member(&self, t4: T) -> [T; 3] {
+        let t6 = if self.difference { t4 - self.constant } else { self.constant - t4 };
+        let (_, towards_own) = math::sin_cos(t4 - self.own);
+        [math::wrap(t4), math::wrap(self.straight + self.tilt * towards_own), math::wrap(t6)]
+    }
+
+    /// The member that shares the constant evenly between joints 4 and 6: the convention of seed 000. Where that
+    /// would cost accuracy, the member that fits best.
+    pub fn even(&self) -> [T; 3] {
+        let half = self.constant * T::lit(0.5);
+        let (off_own, _) = math::sin_cos(half - self.own);
+        let kept = math::abs(self.tilt * off_own) <= T::lit(BOUNDARY) * T::EPS;
+        self.member(if kept { half } else { self.own })
+    }
+}
+
+/// From figure angles to row values: offsets taken off, reversed joints turned round.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<T> {
+    /// What the figure angle is where the row value is 0.
+    pub offset: [T; 3],
+    /// Whether the figure angle falls where the row value rises.
+    pub reversed: [bool; 3],
+}
+
+impl<T: Float> Rows<T> {
+    /// The row values of three figure angles, in (-π, π].
+    pub fn values(&self, [a, b, c]: [T; 3]) -> [T; 3] {
+        let ([oa, ob, oc], [ra, rb, rc]) = (self.offset, self.reversed);
+        [row_value(a, oa, ra), row_value(b, ob, rb), row_value(c, oc, rc)]
+    }
+}
+
+/// The row value of a figure angle, in (-π, π].
+pub fn row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
+    math::wrap(row_length(figure, offset, reversed))
+}
+
+/// The row value of a figure length.
+pub fn row_length<T: Float>(figure: T, offset: T, reversed: bool) -> T {
+    if reversed { offset - figure } else { figure - offset }
+}
+
+/// The figure angle of a row value.
+pub fn figure_angle<T: Float>(row: T, offset: T, reversed: bool) -> T {
+    if reversed { offset - row } else { row + offset }
+}
+
+/// The same direction seen from the other side, without leaving [-π, π].
+fn opposite<T: Float>(angle: T) -> T {
+    if angle > T::lit(0.0) { angle - math::half_turn::<T>() } else { angle + math::half_turn::<T>() }
+}
+
+/// An orthogonal wrist: m = Rz(a)·Ry(b)·Rz(c), by rows.
+///
+/// c comes from what a leaves over, never from m alone: near the singularity a is any angle, and c must fit it.
+pub fn zyz<T: Float>(m: [[T; 3]; 3], rows: &Rows<T>) -> Wrist<T> {
+    let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = m;
+    let sin_b = math::hypot(m13, m23);
+    let a = math::atan2(m23, m13);
+    let b = math::atan2(sin_b, m33);
+    let singular = sin_b <= T::lit(FAMILY) * T::EPS;
+    // Away from the singularity the third column is itself the direction (cos a, sin a), but for its length.
+    let (sa, ca) = if singular { math::sin_cos(a) } else { (m23, m13) };
+    let c = math::atan2(ca * m21 - sa * m11, ca * m22 - sa * m12);
+    if singular {
+        let straight = if m33 < T::lit(0.0) { math::half_turn() } else { T::lit(0.0) };
+        return family([a, b, c], straight, m33, rows);
+    }
+    Wrist::Two { noflip: rows.values([a, b, c]), flip: rows.values([opposite(a), -b, opposite(c)]) }
+}
+
+/// The family of which `own` is one member, by figure angles; `straight` is the bend at which axes 4 and 6 coincide
+/// and `cosine` tells whether they then have the same sense.
+fn family<T: Float>(own: [T; 3], straight: T, cosine: T, rows: &Rows<T>) -> Wrist<T> {
+    let ([_, middle, _], [ra, rb, rc]) = (rows.offset, rows.reversed);
+    let [_, bend, _] = own;
+    let [t4, _, t6] = rows.values(own);
+    // In figure angles a + c is constant where the axes agree, a - c where they oppose; one reversed joint swaps that.
+    let difference = (cosine < T::lit(0.0)) != (ra != rc);
+    let constant = math::wrap(if difference { t4 - t6 } else { t4 + t6 });
+    let tilt = math::wrap(bend - straight);
+    let tilt = if rb { -tilt } else { tilt };
+    Wrist::Family(WristFamily {
+        difference,
+        constant,
+        own: t4,
+        straight: row_value(straight, middle, rb),
+        tilt,
+    })
+}
+
+/// An oblique wrist: m = Rz(a)·K4·Rz(b)·K5·Rz(c), by rows; K4 and K5 are constant rotations.
+///
+/// The axes are three unit vectors; axis 5 stands at fixed angles to 4 and to 6, so that the bend is a spherical
+/// triangle. Not every rotation can be reached.
+pub fn oblique<T: Float>(m: [[T; 3]; 3], k4: [[T; 3]; 3], k5: [[T; 3]; 3], rows: &Rows<T>) -> Wrist<T> {
+    let [[_, _, m13], [_, _, m23], [_, _, m33]] = m;
+    let [_, _, [u1, u2, u3]] = k4;
+    let [[_, _, v1], [_, _, v2], [_, _, v3]] = k5;
+    // Axis 4 in the frame before the bend is u, axis 6 after it is v; their angles to axis 5 are fixed.
+    let sin_46 = math::hypot(m13, m23);
+    let angle_45 = math::atan2(math::hypot(u1, u2), u3);
+    let angle_56 = math::atan2(math::hypot(v1, v2), v3);
+    let angle_46 = math::atan2(sin_46, m33);
+    // With this bend axes 4 and 6 are at their smallest angle, on the same side of axis 5.
+    let closest = math::atan2(u2 * v1 - u1 * v2, u1 * v1 + u2 * v2);
+    let swing = match cone_meets_cone(angle_45, angle_56, angle_46) {
+        Corner::Angle(corner) => corner,
+        Corner::TooFar(by) | Corner::TooNear(by) => return Wrist::OutOfReach { by },
+    };
+    let noflip = bent(&m, &k4, &k5, closest + swing);
+    if sin_46 <= T::lit(FAMILY) * T::EPS {
+        let straight = if m33 < T::lit(0.0) { closest + math::half_turn() } else { closest };
+        return family(noflip, straight, m33, rows);
+    }
+    let flip = bent(&m, &k4, &k5, closest - swing);
+    Wrist::Two { noflip: rows.values(noflip), flip: rows.values(flip) }
+}
+
+/// The figure angles of an oblique wrist whose bend is known: a turns axis 6 to its place, c takes what is left.
+fn bent<T: Float>(m: &[[T; 3]; 3], k4: &[[T; 3]; 3], k5: &[[T; 3]; 3], b: T) -> [T; 3] {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (sb, cb) = math::sin_cos(b);
+    let turned = pose::product(&[[cb, -sb, zero], [sb, cb, zero], [zero, zero, one]], k5);
+    let inner = pose::product(k4, &turned);
+    let [[_, _, n13], [_, _, n23], _] = inner;
+    let [[m11, _, m13], [m21, _, m23], [m31, _, _]] = *m;
+    let a = math::atan2(m23, m13) - math::atan2(n23, n13);
+    // m = Rz(a)·inner·Rz(c): the first column of Rz(c) is innerᵀ·Rz(-a) times that of m.
+    let (sa, ca) = math::sin_cos(a);
+    let first = [ca * m11 + sa * m21, ca * m21 - sa * m11, m31];
+    let [along, across, _] = pose::transposed(&inner);
+    [a, b, math::atan2(pose::dot(&across, &first), pose::dot(&along, &first))]
+}

@@ -1,0 +1,212 @@
+//! Numbers: the only file that calls a transcendental function.
+//!
+//! Every sine, cosine and arctangent of this crate and of generated code goes through `libm`, which is pure Rust
+//! and uses no fused multiply-add: the same input gives the same bits on every target.
+//!
+//! [`Float`] includes nalgebra's `RealField`, which has methods of the same names. Inside this crate the free
+//! functions of this module are used, so that it is always plain which of the two is meant.
+
+use core::fmt::LowerExp;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use nalgebra::{RealField, Scalar};
+
+/// What forward kinematics needs of a number: field operations, a square root, sine and cosine. It has no order,
+/// so that a bundle of lanes can be a `Real`.
+pub trait Real:
+    Scalar
+    + Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number nearest to `x`.
+    fn lit(x: f64) -> Self;
+    /// The square root, correctly rounded; NaN for negative numbers.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+}
+
+/// What inverse kinematics needs besides: an order and an arctangent. Implemented for `f32` and `f64`.
+pub trait Float: Real + PartialOrd + RealField + LowerExp {
+    /// The distance from 1 to the next larger number; every round-off window is a multiple of it.
+    const EPS: Self;
+    /// One turn, 2π, as the nearest number and what that rounding left over.
+    const TURN: (Self, Self);
+    /// The angle of the plane vector (x, y), in [-π, π]; 0 for the zero vector.
+    fn atan2(y: Self, x: Self) -> Self;
+    /// √(x² + y²) without overflow on the way.
+    fn hypot(x: Self, y: Self) -> Self;
+    /// The largest whole number not above `self`.
+    fn floor(self) -> Self;
+}
+
+impl Real for f64 {
+    fn lit(x: f64) -> Self {
+        x
+    }
+    fn sqrt(self) -> Self {
+        libm::sqrt(self)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+}
+
+impl Float for f64 {
+    const EPS: Self = f64::EPSILON;
+    const TURN: (Self, Self) = (core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
+    fn atan2(y: Self, x: Self) -> Self {
+        libm::atan2(y, x)
+    }
+    fn hypot(x: Self, y: Self) -> Self {
+        libm::hypot(x, y)
+    }
+    fn floor(self) -> Self {
+        libm::floor(self)
+    }
+}
+
+impl Real for f32 {
+    fn lit(x: f64) -> Self {
+        x as f32
+    }
+    fn sqrt(self) -> Self {
+        libm::sqrtf(self)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincosf(self)
+    }
+}
+
+impl Float for f32 {
+    const EPS: Self = f32::EPSILON;
+    const TURN: (Self, Self) = (core::f32::consts::TAU, -1.748_455_6e-7);
+    fn atan2(y: Self, x: Self) -> Self {
+        libm::atan2f(y, x)
+    }
+    fn hypot(x: Self, y: Self) -> Self {
+        libm::hypotf(x, y)
+    }
+    fn floor(self) -> Self {
+        libm::floorf(self)
+    }
+}
+
+/// The square root, correctly rounded; NaN for negative numbers.
+pub fn sqrt<T: Real>(x: T) -> T {
+    Real::sqrt(x)
+}
+
+/// The square root of a number that is negative by round-off alone: those give 0.
+pub fn sqrt_or_zero<T: Float>(x: T) -> T {
+    if x > T::lit(0.0) { Real::sqrt(x) } else { T::lit(0.0) }
+}
+
+/// Sine and cosine of an angle in radians.
+pub fn sin_cos<T: Real>(x: T) -> (T, T) {
+    Real::sin_cos(x)
+}
+
+/// The angle of the plane vector (x, y), in [-π, π]; 0 for the zero vector.
+pub fn atan2<T: Float>(y: T, x: T) -> T {
+    Float::atan2(y, x)
+}
+
+/// √(x² + y²) without overflow on the way.
+pub fn hypot<T: Float>(x: T, y: T) -> T {
+    Float::hypot(x, y)
+}
+
+/// The absolute value.
+pub fn abs<T: Float>(x: T) -> T {
+    if x < T::lit(0.0) { -x } else { x }
+}
+
+/// The larger of two numbers; the second if they have no order.
+pub fn max<T: Float>(x: T, y: T) -> T {
+    if x > y { x } else { y }
+}
+
+/// The smaller of two numbers; the second if they have no order.
+pub fn min<T: Float>(x: T, y: T) -> T {
+    if x < y { x } else { y }
+}
+
+/// Whether a number is neither infinite nor NaN.
+pub fn is_finite<T: Float>(x: T) -> bool {
+    x - x == T::lit(0.0)
+}
+
+/// Half a turn, π rounded.
+pub fn half_turn<T: Float>() -> T {
+    T::TURN.0 * T::lit(0.5)
+}
+
+/// The same angle in (-π, π].
+///
+/// The turn is taken off in two parts, so that an angle within a few turns keeps its last bit. An angle of more
+/// than a million turns has no meaningful last bits; it still gives a value of the range. NaN and infinities give NaN.
+pub fn wrap<T: Float>(angle: T) -> T {
+    let half = half_turn::<T>();
+    if angle > -half && angle <= half {
+        return angle;
+    }
+    let turns = Float::floor((angle + half) / T::TURN.0);
+    if !(abs(turns) < T::lit(1e6)) {
+        let (s, c) = Real::sin_cos(angle);
+        return into_range(Float::atan2(s, c));
+    }
+    into_range((angle - turns * T::TURN.0) - turns * T::TURN.1)
+}
+
+/// Puts an angle that round-off left at or just beyond the ends of (-π, π] back into it.
+fn into_range<T: Float>(angle: T) -> T {
+    let half = half_turn::<T>();
+    if angle > half {
+        let back = (angle - T::TURN.0) - T::TURN.1;
+        if back > -half { back } else { half }
+    } else if angle <= -half {
+        let back = (angle + T::TURN.0) + T::TURN.1;
+        if back <= half { back } else { half }
+    } else {
+        angle
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::PI;
+
+    #[test]
+    fn wrapping_keeps_the_angle_and_its_range() {
+        for k in -40..=40 {
+            let x = 0.1 * f64::from(k);
+            let y = wrap(x);
+            assert!(y > -PI && y <= PI);
+            assert!((libm::sin(x) - libm::sin(y)).abs() < 1e-15);
+            assert!((libm::cos(x) - libm::cos(y)).abs() < 1e-15);
+        }
+        assert_eq!(wrap(-PI), PI);
+        assert_eq!(wrap(PI), PI);
+        assert_eq!(wrap(3.0 * PI), PI);
+        assert_eq!(wrap(-7.0 * PI), PI);
+        assert!(wrap(f64::NAN).is_nan() && wrap(f64::INFINITY).is_nan());
+        let (half, mut bits) = (core::f32::consts::PI, 1_u32);
+        for _ in 0..1_000_000 {
+            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let y = wrap(f32::from_bits(bits));
+            assert!(y.is_nan() || (y > -half && y <= half));
+        }
+    }
+
+    #[test]
+    fn the_turn_is_two_pi_in_two_parts() {
+        assert!((f64::from(f32::TURN.0) + f64::from(f32::TURN.1) - 2.0 * PI).abs() < 1e-13);
+        // sin(2π rounded) = -(what is left), to full precision
+        assert!((libm::sin(f64::TURN.0) + f64::TURN.1).abs() < 1e-30);
+    }
+}

@@ -1,0 +1,183 @@
+//! Where things are: poses, joint vectors, Jacobians and Euler angles by name.
+
+use crate::math::{self, Float, Real};
+use core::fmt;
+use nalgebra::{ArrayStorage, IsometryMatrix3, Matrix3, Rotation3, SMatrix, SVector, Translation, Vector3};
+
+/// A position and an orientation: nalgebra's isometry with a rotation matrix. Lengths are in the arm's declared unit.
+pub type Pose<T> = IsometryMatrix3<T>;
+
+/// One value for each joint: radians for a revolute joint, the declared length unit for a prismatic one.
+pub type Joints<T, const N: usize> = SVector<T, N>;
+
+/// The geometric Jacobian: rows vx vy vz ωx ωy ωz in base axes, at the tool point; one column for each joint.
+pub type Jacobian<T, const N: usize> = SMatrix<T, 6, N>;
+
+/// A joint vector from its values: `joints![0.1, 0.4, -0.2]`. The length of the list is the number of joints.
+#[macro_export]
+macro_rules! joints {
+    ($($value:expr),* $(,)?) => { $crate::private::joints([$($value),*]) };
+}
+
+/// The orientation Rz(z)·Ry(y)·Rx(x), its angles by name (nalgebra's `euler_angles` returns roll, pitch and yaw, which
+/// are these in the opposite order). Also known as Z-Y-X angles about moving axes, as in section 3 of seed 000.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EulerZyx<T> {
+    /// About z, first; in (-π, π].
+    pub z: T,
+    /// About the turned y; in [-π/2, π/2].
+    pub y: T,
+    /// About the twice turned x; in (-π, π].
+    pub x: T,
+}
+
+/// What an orientation says about its Z-Y-X angles: three angles, or a gimbal lock.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Euler<T> {
+    /// The one triple with y strictly between -π/2 and π/2.
+    Regular(EulerZyx<T>),
+    /// y is ±π/2: the axes of z and x coincide, and only a sum or a difference of these two angles is known.
+    GimbalLock(GimbalLock<T>),
+}
+
+/// A gimbal lock: infinitely many triples (z, y, x) give the same orientation.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct GimbalLock<T> {
+    /// Whether y = +π/2; otherwise y = -π/2.
+    pub up: bool,
+    /// x - z if `up`, x + z otherwise; in (-π, π].
+    pub turn: T,
+}
+
+impl<T: Float> EulerZyx<T> {
+    /// The angles of an orientation.
+    ///
+    /// It is a gimbal lock if x-axis and base z-axis agree within 64 ε. Otherwise x is taken from what z, already
+    /// rounded, leaves over, so that the triple gives the orientation back however near the lock is.
+    pub fn from_rotation(rotation: &Rotation3<T>) -> Euler<T> {
+        let [[r11, r21, r31], [r12, r22, _], [r13, r23, _]] = rotation.matrix().data.0;
+        let cos_y = math::hypot(r11, r21);
+        if cos_y <= T::lit(64.0) * T::EPS {
+            // Rz(z)·Ry(±π/2)·Rx(x): its second column is (sin(x - z), cos(x - z), 0) or (-sin(x + z), cos(x + z), 0).
+            let up = r31 < T::lit(0.0);
+            let turn = math::wrap(math::atan2(if up { r12 } else { -r12 }, r22));
+            return Euler::GimbalLock(GimbalLock { up, turn });
+        }
+        let z = math::atan2(r21, r11);
+        let (sz, cz) = math::sin_cos(z);
+        let y = math::atan2(-r31, cz * r11 + sz * r21);
+        let x = math::atan2(sz * r13 - cz * r23, cz * r22 - sz * r12);
+        Euler::Regular(EulerZyx { z: math::wrap(z), y, x: math::wrap(x) })
+    }
+
+    /// The orientation Rz(z)·Ry(y)·Rx(x).
+    pub fn to_rotation(&self) -> Rotation3<T> {
+        let (sz, cz) = math::sin_cos(self.z);
+        let (sy, cy) = math::sin_cos(self.y);
+        let (sx, cx) = math::sin_cos(self.x);
+        Rotation3::from_matrix_unchecked(matrix3([
+            [cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx],
+            [sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx],
+            [-sy, cy * sx, cy * cx],
+        ]))
+    }
+
+    /// The pose with this orientation at (x, y, z).
+    pub fn at(&self, position: [T; 3]) -> Pose<T> {
+        Pose { rotation: self.to_rotation(), translation: Translation { vector: Vector3::from(position) } }
+    }
+}
+
+impl<T: Float> Euler<T> {
+    /// One triple that gives the orientation: the regular one, or the member of the lock with z = 0.
+    pub fn any(&self) -> EulerZyx<T> {
+        match self {
+            Euler::Regular(angles) => *angles,
+            Euler::GimbalLock(lock) => lock.member(T::lit(0.0)),
+        }
+    }
+}
+
+impl<T: Float> GimbalLock<T> {
+    /// The triple with the given z.
+    pub fn member(&self, z: T) -> EulerZyx<T> {
+        let quarter = math::half_turn::<T>() * T::lit(0.5);
+        let (y, x) = if self.up { (quarter, self.turn + z) } else { (-quarter, self.turn - z) };
+        EulerZyx { z, y, x: math::wrap(x) }
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for EulerZyx<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = f.precision().unwrap_or(4);
+        write!(f, "zyx({:.digits$}, {:.digits$}, {:.digits$})", self.z, self.y, self.x)
+    }
+}
+
+impl<T: Float> fmt::Display for Euler<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = f.precision().unwrap_or(4);
+        match self {
+            Euler::Regular(angles) => write!(f, "{angles:.digits$}"),
+            Euler::GimbalLock(lock) if lock.up => {
+                write!(f, "gimbal lock: y = pi/2, x - z = {:.digits$}", lock.turn)
+            }
+            Euler::GimbalLock(lock) => write!(f, "gimbal lock: y = -pi/2, x + z = {:.digits$}", lock.turn),
+        }
+    }
+}
+
+/// A pose from the rows of its rotation matrix and its position.
+pub(crate) fn from_rows<T: Real>(rotation: [[T; 3]; 3], position: [T; 3]) -> Pose<T> {
+    Pose {
+        rotation: Rotation3::from_matrix_unchecked(matrix3(rotation)),
+        translation: Translation { vector: column(position) },
+    }
+}
+
+/// The rows of the rotation matrix, and the position.
+pub(crate) fn rows<T: Real>(pose: &Pose<T>) -> ([[T; 3]; 3], [T; 3]) {
+    let [position] = pose.translation.vector.data.0;
+    (matrix_rows(pose.rotation.matrix()), position)
+}
+
+/// A matrix from its rows.
+pub(crate) fn matrix3<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[T; 3]; 3]) -> Matrix3<T> {
+    Matrix3::from_array_storage(ArrayStorage([[a, d, g], [b, e, h], [c, f, i]]))
+}
+
+/// The rows of a matrix.
+pub(crate) fn matrix_rows<T: Real>(matrix: &Matrix3<T>) -> [[T; 3]; 3] {
+    let [[a, d, g], [b, e, h], [c, f, i]] = matrix.data.0;
+    [[a, b, c], [d, e, f], [g, h, i]]
+}
+
+/// A column from its entries.
+pub(crate) fn column<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
+    SVector::from_array_storage(ArrayStorage([entries]))
+}
+
+/// The entries of a column.
+pub(crate) fn entries<T: Copy, const N: usize>(column: &SVector<T, N>) -> [T; N] {
+    let [entries] = column.data.0;
+    entries
+}
+
+/// The product of two matrices given by rows.
+pub(crate) fn product<T: Real>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
+    let [b1, b2, b3] = transposed(b);
+    a.map(|row| [dot(&row, &b1), dot(&row, &b2), dot(&row, &b3)])
+}
+
+/// The transposed matrix, by rows.
+pub(crate) fn transposed<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: &[[T; 3]; 3]) -> [[T; 3]; 3] {
+    [[*a, *d, *g], [*b, *e, *h], [*c, *f, *i]]
+}
+
+/// The scalar product.
+pub(crate) fn dot<T: Real>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
+    *a * *x + *b * *y + *c * *z
+}

@@ -1,0 +1,95 @@
+//! What generated code calls: no part of the public promise, and liable to change with the generator.
+
+pub use crate::__dyn_arm as dyn_arm;
+
+use crate::arm::{Arm, SphericalWrist};
+use crate::ik::wrist::{self, Rows};
+use crate::ik::{Base, Wrist};
+use crate::math::{Float, Real};
+use crate::pose::{self, Jacobian, Joints, Pose};
+use nalgebra::{ArrayStorage, Matrix3, Point3, SMatrix};
+
+/// What the solver of six-joint arms asks of an arm: its constants, and the ways into and out of its figures.
+///
+/// Row values are what the table's rows see: q itself unless `couple:` ties joints together.
+pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
+    /// The constants of the first three joints.
+    fn base<T: Float>(&self) -> Base<T>;
+    /// The wrist centre in the shoulder frame.
+    fn wrist_centre<T: Real>(&self, pose: &Pose<T>) -> [T; 3];
+    /// The rotation that the wrist must produce once the first three joints are set.
+    fn wrist_rotation<T: Real>(&self, rows: [T; 3], pose: &Pose<T>) -> Matrix3<T>;
+    /// The commanded values of row values; without offsets, so that it takes differences too.
+    fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
+    /// The row values of commanded values: the inverse of `command`.
+    fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
+}
+
+/// What the solver of three-joint arms asks of an arm.
+pub trait SolvePosition<const N: usize>: Arm<N> {
+    /// The constants of the three joints.
+    fn base<T: Float>(&self) -> Base<T>;
+    /// The tool point in the shoulder frame.
+    fn tool_point<T: Real>(&self, p: &Point3<T>) -> [T; 3];
+    /// The commanded values of row values; without offsets, so that it takes differences too.
+    fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
+    /// The row values of commanded values: the inverse of `command`.
+    fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
+}
+
+/// A pose from the rows of its rotation and its position.
+pub fn pose<T: Real>(rotation: [[T; 3]; 3], position: [T; 3]) -> Pose<T> {
+    pose::from_rows(rotation, position)
+}
+
+/// The rows of a pose's rotation, and its position.
+pub fn entries<T: Real>(pose: &Pose<T>) -> ([[T; 3]; 3], [T; 3]) {
+    pose::rows(pose)
+}
+
+/// A Jacobian from its columns (vx, vy, vz, ωx, ωy, ωz).
+pub fn jacobian<T: Real, const N: usize>(columns: [[T; 6]; N]) -> Jacobian<T, N> {
+    SMatrix::from_array_storage(ArrayStorage(columns))
+}
+
+/// A joint vector from its values.
+pub const fn joints<T, const N: usize>(values: [T; N]) -> Joints<T, N> {
+    SMatrix::from_array_storage(ArrayStorage([values]))
+}
+
+/// A matrix from its rows.
+pub fn matrix3<T: Real>(rows: [[T; 3]; 3]) -> Matrix3<T> {
+    pose::matrix3(rows)
+}
+
+/// The rows of a matrix.
+pub fn matrix3_rows<T: Real>(matrix: &Matrix3<T>) -> [[T; 3]; 3] {
+    pose::matrix_rows(matrix)
+}
+
+/// A point from its coordinates.
+pub fn point3<T: Real>(coordinates: [T; 3]) -> Point3<T> {
+    Point3 { coords: pose::column(coordinates) }
+}
+
+/// The coordinates of a point.
+pub fn point3_entries<T: Real>(point: &Point3<T>) -> [T; 3] {
+    pose::entries(&point.coords)
+}
+
+/// An orthogonal wrist: m = Rz(a)·Ry(b)·Rz(c), by rows; row values are the angles less their offsets, or the offsets
+/// less the angles where reversed.
+pub fn zyz<T: Float>(m: [[T; 3]; 3], offset: [T; 3], reversed: [bool; 3]) -> Wrist<T> {
+    wrist::zyz(m, &Rows { offset, reversed })
+}
+
+/// An oblique wrist: m = Rz(a)·K4·Rz(b)·K5·Rz(c), all by rows.
+pub fn oblique<T: Float>(
+    m: [[T; 3]; 3],
+    k4: [[T; 3]; 3],
+    k5: [[T; 3]; 3],
+    offset: [T; 3],
+    reversed: [bool; 3],
+) -> Wrist<T> {
+    wrist::oblique(m, k4, k5, &Rows { offset, reversed })
+}

@@ -1,0 +1,300 @@
+//! What inverse kinematics gives back: one slot for each branch, solved, merged, or empty with its reason.
+//!
+//! No slot is ever silently empty and no number ever stands for "none". The order of the slots never changes, so
+//! that a branch can be followed from pose to pose.
+
+mod branch;
+mod display;
+mod family;
+mod reason;
+#[cfg(feature = "serde")]
+mod stored;
+
+pub use branch::{ArmPosture, Bend, Branch, Elbow, Posture, Shoulder};
+pub(crate) use family::Free;
+pub use family::{Constraint, Family, Singularity};
+pub use reason::{Boundary, Reason};
+
+use crate::arm::JointKind;
+use crate::limits::{Limits, Standing};
+use crate::math::{self, Float};
+use crate::pose::{self, Joints};
+use core::fmt;
+
+/// Joint values that bring the tool to the pose: checked by forward kinematics.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: nalgebra::Scalar + serde::Serialize, B: serde::Serialize",
+        deserialize = "T: nalgebra::Scalar + serde::Deserialize<'de>, B: serde::Deserialize<'de>"
+    ))
+)]
+pub struct Solution<T, const N: usize, B> {
+    /// The branch it belongs to.
+    pub branch: B,
+    /// The joint values: what the caller commands, angles in (-π, π].
+    pub q: Joints<T, N>,
+    /// How far forward kinematics of `q` misses the pose: the largest entry of the position error divided by the
+    /// arm's reach (or by the pose's own distance, if that is larger), or of the rotation error.
+    pub residual: T,
+    pub(crate) free: Free<N>,
+}
+
+/// What became of one branch.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: nalgebra::Scalar + serde::Serialize, B: serde::Serialize",
+        deserialize = "T: nalgebra::Scalar + serde::Deserialize<'de>, B: serde::Deserialize<'de>"
+    ))
+)]
+pub enum Slot<T, const N: usize, B> {
+    /// It has a solution of its own.
+    Solved(Solution<T, N, B>),
+    /// Its solution is the one that another slot holds: two branches meet here.
+    Merged {
+        /// The branch that holds the solution.
+        with: B,
+    },
+    /// It has none, and this is why.
+    Empty(Reason<T>),
+}
+
+/// All solutions of one pose: a fixed slot for each branch, in the order of [`Branch::ALL`].
+pub struct Solutions<T, const N: usize, B: Branch> {
+    slots: B::Slots<Slot<T, N, B>>,
+    /// Joints whose values are lengths: not to be compared modulo a turn.
+    sliding: JointSet,
+}
+
+/// A set of joints, counted from 0.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct JointSet(u32);
+
+impl JointSet {
+    /// The set without joints.
+    pub const EMPTY: Self = Self(0);
+
+    /// With one joint more; joints from the 33rd on are not kept.
+    #[must_use]
+    pub const fn with(self, joint: usize) -> Self {
+        if joint < 32 { Self(self.0 | 1 << joint) } else { self }
+    }
+
+    /// Whether the joint belongs to it.
+    pub const fn contains(self, joint: usize) -> bool {
+        joint < 32 && self.0 >> joint & 1 == 1
+    }
+
+    /// How many joints it has.
+    pub const fn len(self) -> usize {
+        self.0.count_ones() as usize
+    }
+
+    /// Whether it has none.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Its joints, in order.
+    pub fn iter(self) -> impl Iterator<Item = usize> {
+        (0..32).filter(move |&joint| self.contains(joint))
+    }
+
+    /// The joints that slide.
+    pub(crate) fn sliding(kinds: impl Iterator<Item = JointKind>) -> Self {
+        kinds
+            .enumerate()
+            .filter(|(_, kind)| *kind == JointKind::Prismatic)
+            .fold(Self::EMPTY, |set, (j, _)| set.with(j))
+    }
+}
+
+impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
+    /// Every slot empty for the same reason.
+    pub(crate) fn none(sliding: JointSet, reason: Reason<T>) -> Self {
+        Self { slots: B::slots(|_| Slot::Empty(reason)), sliding }
+    }
+
+    /// Puts what became of one branch into its slot.
+    pub(crate) fn put(&mut self, branch: B, slot: Slot<T, N, B>) {
+        *branch.of_mut(&mut self.slots) = slot;
+    }
+
+    /// The solutions proper: solved slots, in the order of the branches.
+    pub fn iter(&self) -> impl Iterator<Item = &Solution<T, N, B>> {
+        self.slots().iter().filter_map(Slot::solution)
+    }
+
+    /// What became of a branch.
+    pub fn get(&self, branch: B) -> &Slot<T, N, B> {
+        branch.of(&self.slots)
+    }
+
+    /// The solution of a branch, its own or the one it is merged with.
+    pub fn solution(&self, branch: B) -> Option<&Solution<T, N, B>> {
+        match self.get(branch) {
+            Slot::Merged { with } => self.get(*with).solution(),
+            slot => slot.solution(),
+        }
+    }
+
+    /// All slots, in the order of [`Branch::ALL`].
+    pub fn slots(&self) -> &[Slot<T, N, B>] {
+        self.slots.as_ref()
+    }
+
+    /// The branches and what became of them.
+    pub fn branches(&self) -> impl Iterator<Item = (B, &Slot<T, N, B>)> {
+        B::ALL.iter().copied().zip(self.slots())
+    }
+
+    /// How many solutions there are; a family counts once.
+    pub fn len(&self) -> usize {
+        self.iter().count()
+    }
+
+    /// Whether there is no solution.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The solution nearest to `q`: the one whose largest joint move is smallest, among equals the one whose moves
+    /// have the smallest sum. Angles are compared modulo 2π.
+    pub fn nearest(&self, q: &Joints<T, N>) -> Option<&Solution<T, N, B>> {
+        let mut best: Option<(&Solution<T, N, B>, Move<T>)> = None;
+        for solution in self.iter() {
+            let step = self.step(&solution.q, q);
+            if best.is_none_or(|(_, least)| step.is_smaller_than(&least)) {
+                best = Some((solution, step));
+            }
+        }
+        best.map(|(solution, _)| solution)
+    }
+
+    /// The same solutions, those outside the limits replaced by the joint that passes its range most and by how much.
+    /// A family is judged by the member it holds.
+    #[must_use]
+    pub fn within(&self, limits: &Limits<N>) -> Self {
+        let mut kept = self.clone();
+        for branch in B::ALL {
+            if let Slot::Solved(solution) = self.get(*branch)
+                && let Some(reason) = self.passed(limits, &solution.q)
+            {
+                kept.put(*branch, Slot::Empty(reason));
+            }
+        }
+        for branch in B::ALL {
+            if let Slot::Merged { with } = self.get(*branch)
+                && let Slot::Empty(reason) = *kept.get(*with)
+            {
+                kept.put(*branch, Slot::Empty(reason));
+            }
+        }
+        kept
+    }
+
+    /// The joint that passes its range most, if any does.
+    fn passed(&self, limits: &Limits<N>, q: &Joints<T, N>) -> Option<Reason<T>> {
+        let mut worst: Option<(usize, T)> = None;
+        for (joint, value) in pose::entries(q).into_iter().enumerate() {
+            if let Standing::Passed(by) = limits.standing(joint, self.kind(joint), value)
+                && worst.is_none_or(|(_, most)| by > most)
+            {
+                worst = Some((joint, by));
+            }
+        }
+        worst.map(|(joint, by)| Reason::Limit { joint, by })
+    }
+
+    fn kind(&self, joint: usize) -> JointKind {
+        if self.sliding.contains(joint) { JointKind::Prismatic } else { JointKind::Revolute }
+    }
+
+    /// How far the joints move from one vector to another.
+    pub(crate) fn step(&self, from: &Joints<T, N>, to: &Joints<T, N>) -> Move<T> {
+        let mut step = Move { largest: T::lit(0.0), sum: T::lit(0.0) };
+        for (joint, (a, b)) in pose::entries(from).into_iter().zip(pose::entries(to)).enumerate() {
+            let difference = match self.kind(joint) {
+                JointKind::Prismatic => a - b,
+                JointKind::Revolute => math::wrap(a - b),
+            };
+            step.largest = math::max(step.largest, math::abs(difference));
+            step.sum = step.sum + math::abs(difference);
+        }
+        step
+    }
+
+    /// Empties each slot whose joints are those of an earlier one, and says so.
+    pub(crate) fn merge(&mut self, reach: T) {
+        let same = tolerance::<T>();
+        for (count, branch) in B::ALL.iter().enumerate() {
+            let Slot::Solved(later) = *self.get(*branch) else { continue };
+            for earlier in B::ALL.iter().take(count) {
+                let Slot::Solved(first) = *self.get(*earlier) else { continue };
+                if self.step(&first.q, &later.q).largest <= same * self.unit(reach) {
+                    self.put(*branch, Slot::Merged { with: *earlier });
+                    break;
+                }
+            }
+        }
+    }
+
+    /// What one radian is compared with: 1, or the reach if the arm is shorter and has a slide.
+    fn unit(&self, reach: T) -> T {
+        if self.sliding.is_empty() { T::lit(1.0) } else { math::min(T::lit(1.0), reach) }
+    }
+}
+
+/// Joint vectors closer than this are the same solution: 1e-7 in `f64`, 7√ε in `f32`.
+fn tolerance<T: Float>() -> T {
+    T::lit(6.710_886_4) * math::sqrt(T::EPS)
+}
+
+/// How far the joints move, the largest first.
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+pub(crate) struct Move<T> {
+    pub(crate) largest: T,
+    sum: T,
+}
+
+impl<T: Float> Move<T> {
+    fn is_smaller_than(&self, other: &Self) -> bool {
+        self.largest < other.largest || (self.largest == other.largest && self.sum < other.sum)
+    }
+}
+
+impl<T, const N: usize, B> Slot<T, N, B> {
+    /// The solution it holds.
+    pub fn solution(&self) -> Option<&Solution<T, N, B>> {
+        match self {
+            Slot::Solved(solution) => Some(solution),
+            Slot::Merged { .. } | Slot::Empty(_) => None,
+        }
+    }
+}
+
+impl<T: Float, const N: usize, B: Branch> Clone for Solutions<T, N, B> {
+    fn clone(&self) -> Self {
+        Self { slots: B::slots(|branch| *branch.of(&self.slots)), sliding: self.sliding }
+    }
+}
+
+impl<T: Float, const N: usize, B: Branch> Copy for Solutions<T, N, B> where B::Slots<Slot<T, N, B>>: Copy {}
+
+impl<T: Float, const N: usize, B: Branch> PartialEq for Solutions<T, N, B> {
+    fn eq(&self, other: &Self) -> bool {
+        self.sliding == other.sliding && self.slots() == other.slots()
+    }
+}
+
+impl<T: Float, const N: usize, B: Branch> fmt::Debug for Solutions<T, N, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.slots()).finish()
+    }
+}

@@ -1,0 +1,49 @@
+//! Why a slot is empty.
+
+/// Why a branch has no solution.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Reason<T> {
+    /// An entry of the pose is infinite or not a number.
+    NotFinite,
+    /// The orientation is not a rotation.
+    NotARotation {
+        /// The largest entry of RᵀR - 1, or 2 for a reflection.
+        defect: T,
+    },
+    /// The pose is too far away, or too near.
+    OutOfReach {
+        /// The distance to the nearest point that this figure reaches: a length, or radians for [`Boundary::WristCone`].
+        by: T,
+        /// Which boundary lies between.
+        towards: Boundary,
+        /// The value of the first joint, where that was found and only the rest fails.
+        theta1: Option<T>,
+    },
+    /// A joint would leave its range.
+    Limit {
+        /// The joint, counted from 0.
+        joint: usize,
+        /// By how much.
+        by: T,
+    },
+    /// The joint values found miss the pose by more than round-off explains, so they are not given out.
+    Inaccurate {
+        /// As in [`Solution::residual`](crate::Solution::residual).
+        residual: T,
+    },
+}
+
+/// The edge of what a figure reaches.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Boundary {
+    /// The cylinder about axis 1 inside which the arm's lateral offset keeps the wrist centre from coming.
+    Cylinder,
+    /// The circle of the stretched arm about axis 2.
+    OuterCircle,
+    /// The circle of the folded arm about axis 2, or of a slide at its nearest.
+    InnerCircle,
+    /// The cone that an oblique wrist can point into, or must point out of.
+    WristCone,
+}
