@@ -2,17 +2,21 @@
 //!
 //! A door, not a room: `tokens` turns the compiler's tokens into the grammar's, `shell` reads the item shell,
 //! [`kin_gen::expand`] does the work and knows nothing of the compiler, `report` says what it found under the right
-//! tokens. Programs get the macro from `kin-runtime`, which also holds what the generated code calls.
+//! tokens, `fallback` keeps a mistake from becoming twenty. Programs get the macro from `kin-runtime`, which also holds what the generated code calls.
 
 extern crate proc_macro;
 
+mod fallback;
 mod report;
 mod shell;
 mod tokens;
 
+use kin_gen::chain::ParamKind;
+use kin_gen::model::ParamFacts;
 use proc_macro2::TokenStream;
 
-use crate::shell::Shell;
+use crate::fallback::Outline;
+use crate::shell::{Field, Shell};
 use crate::tokens::Tokens;
 
 /// Declares an arm; the compiler derives its kinematics.
@@ -161,13 +165,25 @@ pub fn dh(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 fn expand(input: TokenStream) -> syn::Result<TokenStream> {
     let tokens = Tokens::read(input.clone())?;
     let shell = Shell::read(input)?;
-    let krate = shell.as_ref().map_or_else(String::new, Shell::krate);
+    let krate = shell.as_ref().map_or_else(String::new, Shell::krate_text);
     let expansion = kin_gen::expand(&tokens.list, &krate);
     let mut output = report::render(&expansion.report, &tokens);
-    if let Some(shell) = shell {
-        output.extend(shell.mistakes.iter().map(syn::Error::to_compile_error));
-        output.extend(shell.item(&expansion.params, &tokens));
-        output.extend(shell.items(&expansion.items)?);
+    let Some(shell) = shell else { return Ok(output) };
+    output.extend(shell.mistakes.iter().map(syn::Error::to_compile_error));
+    if let Some(shape) = &expansion.shape {
+        let fields: Vec<Field> = shape.params.iter().map(|param| field(param, &tokens)).collect();
+        output.extend([shell.item(&fields), shell.items(&expansion.items)?]);
+    } else {
+        let outline = Outline::of(&tokens);
+        output.extend([shell.item(&outline.fields), outline.items(&shell.name, &shell.krate())]);
     }
     Ok(output)
+}
+
+fn field(param: &ParamFacts, tokens: &Tokens) -> Field {
+    let kind = match param.kind {
+        ParamKind::Length => "A length in the declared unit",
+        ParamKind::Angle => "An angle in radians",
+    };
+    Field { name: tokens.param(&param.name), doc: format!("{kind}, nominally {}.", param.nominal) }
 }

@@ -6,13 +6,19 @@ use syn::parse::{ParseStream, Parser};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Path, Token, Visibility};
 
-use crate::tokens::Tokens;
-
 /// What every arm derives, whether or not its author says so.
 const DERIVES: [&str; 4] = ["Clone", "Copy", "Debug", "PartialEq"];
 
 /// Stands in the generated text for a path that text cannot hold: `$crate` means what it means only as a token.
 const STAND_IN: &str = "__dh_crate";
+
+/// A field of the struct: one `param`.
+pub(crate) struct Field {
+    /// Its name, where the declaration has it.
+    pub(crate) name: Ident,
+    /// Its documentation.
+    pub(crate) doc: String,
+}
 
 /// Everything before the header, with the author's own tokens.
 pub(crate) struct Shell {
@@ -21,7 +27,8 @@ pub(crate) struct Shell {
     attributes: Vec<Attribute>,
     derives: Vec<Path>,
     visibility: Visibility,
-    name: Ident,
+    /// The name of the struct.
+    pub(crate) name: Ident,
     krate: Option<Path>,
 }
 
@@ -78,12 +85,16 @@ impl Shell {
         })
     }
 
+    /// The path of the runtime.
+    pub(crate) fn krate(&self) -> TokenStream {
+        self.krate.as_ref().map_or_else(|| quote!(::kin_runtime), Path::to_token_stream)
+    }
+
     /// How generated text names the runtime.
-    pub(crate) fn krate(&self) -> String {
+    pub(crate) fn krate_text(&self) -> String {
         match &self.krate {
-            None => "::kin_runtime".to_owned(),
             Some(path) if is_macro_crate(path) => STAND_IN.to_owned(),
-            Some(path) => path.to_token_stream().to_string().replace(' ', ""),
+            _ => self.krate().to_string().replace(' ', ""),
         }
     }
 
@@ -102,17 +113,10 @@ impl Shell {
     }
 
     /// The struct item itself: a unit struct, or one field for each `param`.
-    pub(crate) fn item(&self, params: &[String], tokens: &Tokens) -> TokenStream {
+    pub(crate) fn item(&self, fields: &[Field]) -> TokenStream {
         let Shell { attributes, visibility, name, derives, .. } = self;
-        let body = if params.is_empty() {
-            quote!(;)
-        } else {
-            let fields = params.iter().map(|param| {
-                let (name, doc) = (tokens.param(param), format!(""));
-                quote!(#[doc = #doc] pub #name: f64)
-            });
-            quote!({ #(#fields),* })
-        };
+        let fields = fields.iter().map(|Field { name, doc }| quote!(#[doc = #doc] pub #name: f64));
+        let body = if fields.len() == 0 { quote!(;) } else { quote!({ #(#fields),* }) };
         // Two lints judge the struct by what its author cannot change: the macro chose the derives and the fields.
         quote! {
             #[derive(#(#derives),*)]
