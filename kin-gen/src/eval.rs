@@ -3,6 +3,7 @@
 //! Every backend is judged by it.
 
 use crate::algebra::expr::Turn;
+use crate::model::Arm;
 use crate::program::{Op, Program, Value};
 
 /// What a program is given.
@@ -40,6 +41,26 @@ pub fn eval(program: &Program, inputs: Inputs<'_>) -> Vec<f64> {
         Value::Step { index, negative: true } => -values[index],
     };
     program.outputs.iter().map(|o| output(o.value)).collect()
+}
+
+impl Arm {
+    /// The tool's pose (rotation and position, by rows) at the nominal parameters.
+    pub fn eval_fk(&self, q: &[f64]) -> [[f64; 4]; 3] {
+        let values = self.eval_nominal(&self.forward.fk, q);
+        let at = |index: usize| values.get(index).copied().unwrap_or(0.0);
+        [0, 1, 2].map(|i| [at(3 * i), at(3 * i + 1), at(3 * i + 2), at(9 + i)])
+    }
+
+    /// The columns of the Jacobian at the nominal parameters.
+    pub fn eval_jacobian(&self, q: &[f64]) -> Vec<[f64; 6]> {
+        let values = self.eval_nominal(&self.forward.jacobian, q);
+        values.chunks_exact(6).map(|c| [c[0], c[1], c[2], c[3], c[4], c[5]]).collect()
+    }
+
+    fn eval_nominal(&self, program: &Program, q: &[f64]) -> Vec<f64> {
+        let params: Vec<f64> = self.params.iter().map(|p| p.nominal).collect();
+        eval(program, Inputs { joints: q, params: &params, entries: &[] })
+    }
 }
 
 /// A sum of angles, in the order in which the code adds them: joints, parameters, the constant.

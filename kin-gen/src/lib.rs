@@ -85,6 +85,14 @@ pub fn compile(tokens: &[Token]) -> (Option<Arm>, Report) {
 fn compile_into(tokens: &[Token], report: &mut Report) -> Option<Arm> {
     let decl = decl::grammar::parse(tokens, report)?;
     let chain = chain::check(&decl, report)?;
+    if let Some(demanded) = &chain.demanded
+        && family::ALL.iter().all(|f| f.name != demanded.value)
+    {
+        let names: Vec<&str> = family::ALL.iter().map(|f| f.name).collect();
+        let message = format!("there is no family `{}`", demanded.value);
+        report.error_help(demanded.place, message, format!("the families are {}", names.join(", ")));
+        return None;
+    }
     match model::derive(&chain) {
         Ok(arm) => {
             if let (model::Solver::None { reason, culprit }, Some(demanded)) = (&arm.solver, &chain.demanded)

@@ -82,6 +82,10 @@ pub struct PoseSolver {
     pub wrist_rotation: Program,
     /// The matrix from which the wrist angles are read, from ³R₆.
     pub wrist_matrix: Program,
+    /// What [`PoseSolver::r36`] means.
+    pub r36_meaning: M3<Poly>,
+    /// The wrist centre in the base frame, as a function of the row values of joints 1 to 3.
+    pub centre_meaning: V3<Poly>,
 }
 
 /// What the position solver calls.
@@ -118,8 +122,6 @@ pub struct Arm {
     pub ring: Ring,
     /// What the ring's variables stand for.
     pub symbols: Symbols,
-    /// ³R₆ as polynomials, where there is one.
-    pub r36: Option<M3<Poly>>,
 }
 
 /// Derives and proves everything; `Err` is an internal error of this crate or an arm too large to be proved.
@@ -128,13 +130,10 @@ pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
     let (inverse, ring) = family::recognise(chain, &symbols);
     let mut work = Work { chain, symbols, exprs: Exprs::new(ring) };
     let forward = work.forward()?;
-    let (solver, r36) = match inverse {
-        Inverse::Pose(geometry) => {
-            let (solver, r36) = work.pose_solver(*geometry)?;
-            (Solver::Pose(Box::new(solver)), Some(r36))
-        }
-        Inverse::Position(geometry) => (Solver::Position(Box::new(work.position_solver(*geometry)?)), None),
-        Inverse::None { reason, culprit } => (Solver::None { reason, culprit }, None),
+    let solver = match inverse {
+        Inverse::Pose(geometry) => Solver::Pose(Box::new(work.pose_solver(*geometry)?)),
+        Inverse::Position(geometry) => Solver::Position(Box::new(work.position_solver(*geometry)?)),
+        Inverse::None { reason, culprit } => Solver::None { reason, culprit },
     };
     Ok(Arm {
         name: chain.name.clone(),
@@ -152,7 +151,6 @@ pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
         solver,
         ring: work.exprs.ring,
         symbols: work.symbols,
-        r36,
     })
 }
 
@@ -222,7 +220,7 @@ impl Work<'_> {
         Ok(Forward { fk, frames: all_frames, jacobian, fk_jacobian })
     }
 
-    fn pose_solver(&mut self, geometry: SphericalWrist) -> Result<(PoseSolver, M3<Poly>), Mismatch> {
+    fn pose_solver(&mut self, geometry: SphericalWrist) -> Result<PoseSolver, Mismatch> {
         let chain = self.chain;
         let third = chain.frames.get(2).copied().unwrap_or(0);
         let arm = Stretch {
@@ -245,7 +243,7 @@ impl Work<'_> {
         let ring = &mut self.exprs.ring;
         let centre = vector::apply(ring, &raw_arm.tip.rotation, &geometry.centre_in_frame3);
         let centre = vector::add(ring, &raw_arm.tip.position, &centre);
-        let truth: Vec<Poly> = flat(&raw_arm.tip.rotation).into_iter().chain(centre).collect();
+        let truth: Vec<Poly> = flat(&raw_arm.tip.rotation).into_iter().chain(centre.clone()).collect();
         let r03 = self.program("r03", &derived.outputs(""), &truth)?;
         self.exprs.roll_back(after_frames);
 
@@ -266,8 +264,16 @@ impl Work<'_> {
         let wrist_matrix = self.program("wrist_matrix", &matrix_outputs(&derived), &flat(&truth))?;
         self.exprs.roll_back(start);
 
-        let solver = PoseSolver { geometry, r36, r03, wrist_centre, wrist_rotation, wrist_matrix };
-        Ok((solver, raw_hand.tip.rotation))
+        Ok(PoseSolver {
+            geometry,
+            r36,
+            r03,
+            wrist_centre,
+            wrist_rotation,
+            wrist_matrix,
+            r36_meaning: raw_hand.tip.rotation,
+            centre_meaning: centre,
+        })
     }
 
     fn position_solver(&mut self, geometry: Position) -> Result<PositionSolver, Mismatch> {

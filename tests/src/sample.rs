@@ -27,6 +27,11 @@ impl Sampler {
         low + (high - low) * ((self.bits() >> 11) as f64 / (1u64 << 53) as f64)
     }
 
+    /// Uniform in 0 .. count; 0 if there is nothing to choose from.
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count.max(1) as u64) as usize
+    }
+
     /// Angles uniform in [-π, π).
     pub fn angles<const N: usize>(&mut self) -> [f64; N] {
         std::array::from_fn(|_| self.between(-PI, PI))

@@ -12,7 +12,7 @@ use std::fmt;
 
 use crate::number::{Angle, Real, Scalar};
 
-/// Most variables of one ring; two bits of exponent for each.
+/// Most variables of one ring; four bits of exponent for each.
 pub const MAX_VARS: usize = 128;
 
 /// Most term products of one derivation: beyond it the proof would take minutes in an unoptimised macro.
@@ -22,50 +22,64 @@ const WORK_LIMIT: u64 = 20_000_000;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Var(pub u8);
 
-/// Exponents 0 to 3 of all variables, packed; the first variable in the highest bits, so that the order of the
+/// Words of a monomial, each with the exponents of 32 variables.
+const WORDS: usize = MAX_VARS / 32;
+
+/// Exponents 0 to 15 of all variables, packed; the first variable in the highest bits, so that the order of the
 /// integers is the lexicographic order of the monomials.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
-struct Monomial([u128; 2]);
+struct Monomial([u128; WORDS]);
 
-const LOW_BITS: u128 = u128::MAX / 3;
+/// The highest bit of each exponent.
+const HIGH_BITS: u128 = u128::MAX / 15 * 8;
 
 impl Monomial {
     fn of(var: Var, exponent: u128) -> Monomial {
-        let mut words = [0, 0];
-        words[usize::from(var.0) / 64] = exponent << (126 - 2 * (usize::from(var.0) % 64));
+        let mut words = [0; WORDS];
+        words[usize::from(var.0) / 32 % WORDS] = exponent << (124 - 4 * (usize::from(var.0) % 32));
         Monomial(words)
     }
 
     fn exponent(self, var: Var) -> u32 {
-        ((self.0[usize::from(var.0) / 64] >> (126 - 2 * (usize::from(var.0) % 64))) & 3) as u32
+        ((self.0[usize::from(var.0) / 32 % WORDS] >> (124 - 4 * (usize::from(var.0) % 32))) & 15) as u32
     }
 
-    /// The product, or `None` if an exponent would exceed 3.
+    /// The product, or `None` if an exponent would exceed 15.
     fn times(self, other: Monomial) -> Option<Monomial> {
-        let mut words = [0; 2];
+        let mut words = [0; WORDS];
         for ((word, a), b) in words.iter_mut().zip(self.0).zip(other.0) {
-            let (a_low, b_low) = (a & LOW_BITS, b & LOW_BITS);
-            let (a_high, b_high) = ((a >> 1) & LOW_BITS, (b >> 1) & LOW_BITS);
-            let carry = a_low & b_low;
-            if (a_high & b_high) | ((a_high ^ b_high) & carry) != 0 {
+            let sum = a.wrapping_add(b);
+            let carries = (a & b) | ((a | b) & !sum);
+            if carries & HIGH_BITS != 0 {
                 return None;
             }
-            *word = a + b;
+            *word = sum;
         }
         Some(Monomial(words))
     }
 
     /// Without the given exponents, which must be present.
     fn without(self, other: Monomial) -> Monomial {
-        Monomial([self.0[0] - other.0[0], self.0[1] - other.0[1]])
+        self.zip(other, |a, b| a - b)
     }
 
     fn masked(self, mask: Monomial) -> Monomial {
-        Monomial([self.0[0] & mask.0[0], self.0[1] & mask.0[1]])
+        self.zip(mask, |a, b| a & b)
+    }
+
+    fn united(self, other: Monomial) -> Monomial {
+        self.zip(other, |a, b| a | b)
+    }
+
+    fn zip(mut self, other: Monomial, combine: impl Fn(u128, u128) -> u128) -> Monomial {
+        for (a, b) in self.0.iter_mut().zip(other.0) {
+            *a = combine(*a, b);
+        }
+        self
     }
 
     fn is_one(self) -> bool {
-        self.0 == [0, 0]
+        self.0 == [0; WORDS]
     }
 }
 
@@ -148,9 +162,9 @@ struct VarInfo {
 #[derive(Clone, Debug, Default)]
 pub struct Ring {
     vars: Vec<VarInfo>,
-    /// The high exponent bit of each sine: set in a product exactly when that sine is squared.
+    /// The second bit of each sine's exponent: set in a product exactly when that sine is squared.
     sine_squares: Monomial,
-    /// Both exponent bits of each variable that varies.
+    /// All exponent bits of each variable that varies.
     varying: Monomial,
     work: Cell<u64>,
     exhausted: Cell<bool>,
@@ -184,12 +198,10 @@ impl Ring {
             VarKind::Pair | VarKind::Param(_) | VarKind::Free => false,
         };
         if kind == VarKind::Sine {
-            let square = Monomial::of(var, 2);
-            self.sine_squares = Monomial([0, 1].map(|i| self.sine_squares.0[i] | square.0[i]));
+            self.sine_squares = self.sine_squares.united(Monomial::of(var, 2));
         }
         if !constant {
-            let both = Monomial::of(var, 3);
-            self.varying = Monomial([0, 1].map(|i| self.varying.0[i] | both.0[i]));
+            self.varying = self.varying.united(Monomial::of(var, 15));
         }
         self.vars.push(VarInfo { name, kind });
         var
@@ -358,8 +370,8 @@ impl Ring {
             terms.push((monomial, coefficient));
             return;
         }
-        let word = usize::from(squares.0[0] == 0);
-        let sine = Var((64 * word + squares.0[word].leading_zeros() as usize / 2) as u8);
+        let word = squares.0.iter().position(|w| *w != 0).unwrap_or(0);
+        let sine = Var((32 * word + squares.0[word].leading_zeros() as usize / 4) as u8);
         let rest = monomial.without(Monomial::of(sine, 2));
         self.push_reduced(terms, rest, coefficient);
         match rest.times(Monomial::of(Var(sine.0 - 1), 2)) {
