@@ -112,6 +112,8 @@ pub struct Arm {
     pub params: Vec<ParamFacts>,
     /// Σ|a| + |d| of all rows and the tool, plus prismatic travel.
     pub reach: Quantity,
+    /// Row values from commanded values, in integers.
+    pub couple: Vec<Vec<i64>>,
     /// Commanded values from row values, in integers.
     pub uncouple: Vec<Vec<i64>>,
     /// Forward kinematics and Jacobian.
@@ -146,6 +148,7 @@ pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
             .map(|p| ParamFacts { name: p.name.clone(), kind: p.kind, nominal: p.nominal.to_f64() })
             .collect(),
         reach: reach(chain, &work.symbols, &work.exprs.ring),
+        couple: chain.couple.clone(),
         uncouple: chain.uncouple.clone(),
         forward,
         solver,

@@ -5,7 +5,7 @@ pub use crate::__dyn_arm as dyn_arm;
 use crate::arm::{Arm, SphericalWrist};
 use crate::ik::wrist::{self, Rows};
 use crate::ik::{Base, Wrist};
-use crate::math::{Float, Real};
+use crate::math::{self, Float, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};
 use nalgebra::{ArrayStorage, Matrix3, Point3, SMatrix};
 
@@ -75,6 +75,21 @@ pub fn point3<T: Real>(coordinates: [T; 3]) -> Point3<T> {
 /// The coordinates of a point.
 pub fn point3_entries<T: Real>(point: &Point3<T>) -> [T; 3] {
     pose::entries(&point.coords)
+}
+
+/// The length of (x, y): a link whose ends are given by parameters.
+pub fn hypot<T: Float>(x: T, y: T) -> T {
+    math::hypot(x, y)
+}
+
+/// The direction of (x, y): a bend that parameters decide.
+pub fn atan2<T: Float>(y: T, x: T) -> T {
+    math::atan2(y, x)
+}
+
+/// The size of a length that a parameter decides.
+pub fn abs<T: Float>(x: T) -> T {
+    math::abs(x)
 }
 
 /// An orthogonal wrist: m = Rz(a)·Ry(b)·Rz(c), by rows; row values are the angles less their offsets, or the offsets

@@ -27,6 +27,7 @@ pub fn items(arm: &Arm, krate: &str) -> String {
         Solver::Position(solver) => printer.position_inverse(&mut text, solver),
         Solver::None { reason, .. } => printer.no_inverse(&mut text, reason),
     }
+    printer.dynamic(&mut text);
     text
 }
 
@@ -250,7 +251,7 @@ impl Printer<'_> {
     }
 
     fn matrix_value(&self, program: &Program) -> String {
-        format!("{}::private::matrix({})", self.krate, self.rows(program, 0))
+        format!("{}::private::matrix3({})", self.krate, self.rows(program, 0))
     }
 
     fn wrist(&self, text: &mut String, solver: &PoseSolver) {
@@ -265,7 +266,7 @@ impl Printer<'_> {
         let what = "⁰R₃ and the wrist centre, from the first three row values";
         self.method(text, what, &solver.r03, "q1: T, q2: T, q3: T", &centre, |p| {
             let position = self.list(p, 9..12);
-            format!("({}, {krate}::private::point({position}))", self.matrix_value(p))
+            format!("({}, {krate}::private::point3({position}))", self.matrix_value(p))
         });
         let program = &solver.wrist_matrix;
         line!(text, "/// The last three row values from ³R₆, by look-up of its entries.");
@@ -311,7 +312,10 @@ impl Printer<'_> {
         line!(text, "type Branch = {krate}::Posture;");
         let solutions = format!("{krate}::Solutions<T, {n}, {krate}::Posture>");
         line!(text, "fn ik<T: {krate}::Float>(&self, {pose}) -> {solutions} {{");
-        line!(text, "{krate}::ik::spherical_wrist::solve(self, pose)\n}}\n}}");
+        line!(text, "{krate}::ik::spherical_wrist::solve(self, pose)\n}}");
+        let hold = format!("hold: &{krate}::Joints<T, {n}>");
+        line!(text, "fn ik_holding<T: {krate}::Float>(&self, {pose}, {hold}) -> {solutions} {{");
+        line!(text, "{krate}::ik::spherical_wrist::solve_holding(self, pose, hold)\n}}\n}}");
     }
 
     fn position_inverse(&self, text: &mut String, solver: &PositionSolver) {
@@ -327,7 +331,10 @@ impl Printer<'_> {
         line!(text, "type Branch = {krate}::ArmPosture;");
         let solutions = format!("{krate}::Solutions<T, {n}, {krate}::ArmPosture>");
         line!(text, "fn ik_position<T: {krate}::Float>(&self, {point}) -> {solutions} {{");
-        line!(text, "{krate}::ik::position::solve(self, point)\n}}\n}}");
+        line!(text, "{krate}::ik::position::solve(self, point)\n}}");
+        let hold = format!("hold: &{krate}::Joints<T, {n}>");
+        line!(text, "fn ik_position_holding<T: {krate}::Float>(&self, {point}, {hold}) -> {solutions} {{");
+        line!(text, "{krate}::ik::position::solve_holding(self, point, hold)\n}}\n}}");
     }
 
     fn base(&self, text: &mut String, base: &Base) {
@@ -361,24 +368,36 @@ impl Printer<'_> {
         line!(text, "reach: {reach},\n}})\n}}");
     }
 
+    /// The way from row values to what the caller commands, and back.
     fn command(&self, text: &mut String) {
+        let doc = "What the caller commands, from the rows' own values; linear, without offsets.";
+        self.linear_map(text, doc, "command", "rows", &self.arm.uncouple);
+        let doc = "The rows' own values, from what the caller commands; linear, without offsets.";
+        self.linear_map(text, doc, "rows", "q", &self.arm.couple);
+    }
+
+    fn linear_map(&self, text: &mut String, doc: &str, name: &str, argument: &str, matrix: &[Vec<i64>]) {
         let (krate, n) = (self.krate, self.count());
-        let identity = self
-            .arm
-            .uncouple
-            .iter()
-            .enumerate()
-            .all(|(i, row)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j)));
-        line!(text, "/// What the caller commands, from the rows' own values.");
-        line!(text, "fn command<T: {krate}::Real>(&self, rows: [T; {n}]) -> [T; {n}] {{");
-        if identity {
-            line!(text, "rows\n}}");
+        let identity = |(i, row): (usize, &Vec<i64>)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j));
+        line!(text, "/// {doc}");
+        line!(text, "fn {name}<T: {krate}::Real>(&self, {argument}: [T; {n}]) -> [T; {n}] {{");
+        if matrix.iter().enumerate().all(identity) {
+            line!(text, "{argument}\n}}");
             return;
         }
         let names: Vec<String> = (0..n).map(|j| format!("q{}", j + 1)).collect();
-        line!(text, "let [{}] = rows;", names.join(", "));
-        let sums: Vec<String> = self.arm.uncouple.iter().map(|row| self.integer_sum(row)).collect();
+        line!(text, "let [{}] = {argument};", names.join(", "));
+        let sums: Vec<String> = matrix.iter().map(|row| self.integer_sum(row)).collect();
         line!(text, "[{}]\n}}", sums.join(", "));
+    }
+
+    fn dynamic(&self, text: &mut String) {
+        let kind = match self.arm.solver {
+            Solver::Pose(_) => "pose",
+            Solver::Position(_) => "position",
+            Solver::None { .. } => "plain",
+        };
+        line!(text, "{}::private::dyn_arm! {{ {}, {}, {kind} }}", self.krate, self.arm.name, self.count());
     }
 
     fn integer_sum(&self, coefficients: &[i64]) -> String {
