@@ -1,8 +1,8 @@
 //! Textbook names for the steps of a program: `s23`, `c23`, `a2`, `r13`, never a number alone.
 //!
 //! A sine is named after its joints, a constant after its lengths, an output after itself. A value that is used more
-//! than once takes the label that the derivation suggested, else the product of its operands' names (`c4c6`), else a
-//! dense `k1`, `k2`, …. Names are unique; a clash gets a letter.
+//! than once takes the label that the derivation suggested (`_neg` if it holds the negative of that), else the product of
+//! its operands' names (`c4c6`), else a dense `k1`, `k2`, …. Names are unique; a clash gets a letter.
 
 use std::collections::BTreeSet;
 
@@ -19,17 +19,26 @@ const TAKEN: [&str; 16] = [
 /// The longest name made of operands' names.
 const LONGEST_PRODUCT: usize = 10;
 
+/// A name that the derivation suggested for a step.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Label {
+    /// The name.
+    pub name: String,
+    /// Whether the step holds the negative of what the name says.
+    pub negative: bool,
+}
+
 /// Gives names to one program.
 pub struct Namer<'a> {
     ring: &'a Ring,
-    labels: Vec<Option<String>>,
+    labels: Vec<Option<Label>>,
     taken: BTreeSet<String>,
     fresh: usize,
 }
 
 impl<'a> Namer<'a> {
     /// With the derivation's suggestion for each step.
-    pub fn new(ring: &'a Ring, labels: Vec<Option<String>>) -> Namer<'a> {
+    pub fn new(ring: &'a Ring, labels: Vec<Option<Label>>) -> Namer<'a> {
         Namer { ring, labels, taken: TAKEN.iter().map(|s| (*s).to_owned()).collect(), fresh: 0 }
     }
 
@@ -128,14 +137,18 @@ impl<'a> Namer<'a> {
     }
 
     fn value_name(&mut self, program: &Program, index: usize) -> String {
-        if let Some(Some(label)) = self.labels.get(index) {
-            return label.clone();
+        let label = self.labels.get(index).and_then(Option::as_ref);
+        if let Some(Label { name, negative: false }) = label {
+            return name.clone();
         }
         if let Op::Mul(a, b) = program.steps[index].op
             && let (Some(a), Some(b)) = (&program.steps[a].name, &program.steps[b].name)
             && a.len() + b.len() <= LONGEST_PRODUCT
         {
             return format!("{a}{b}");
+        }
+        if let Some(Label { name, .. }) = label {
+            return format!("{name}_neg");
         }
         self.fresh += 1;
         format!("k{}", self.fresh)

@@ -11,7 +11,7 @@ use std::fmt;
 
 use crate::algebra::expr::{Exprs, Id, Node, Term, Turn};
 use crate::algebra::ring::{Poly, Ring};
-use crate::names::Namer;
+use crate::names::{Label, Namer};
 use crate::signs;
 use crate::truth::Symbols;
 
@@ -149,8 +149,11 @@ impl Program {
             })
             .collect();
         let mut program = Program { name, turns, steps, outputs };
-        signs::settle(&mut program);
-        let labels = order.iter().map(|id| exprs.label_of(*id).map(str::to_owned)).collect();
+        let flipped = signs::settle(&mut program);
+        let label = |(id, flipped): (&Id, bool)| {
+            exprs.label_of(*id).map(|(name, negative)| Label { name: name.to_owned(), negative: negative != flipped })
+        };
+        let labels = order.iter().zip(flipped).map(label).collect();
         Namer::new(&exprs.ring, labels).name(&mut program);
         program
     }

@@ -6,25 +6,27 @@
 
 use crate::program::{Op, Program, Value};
 
-/// Chooses the order of each difference.
-pub fn settle(program: &mut Program) {
+/// The most outputs that are flipped in pairs.
+const MOST_PAIRED: usize = 12;
+
+/// Chooses the order of each difference; says which steps now hold the negative of what they held.
+pub fn settle(program: &mut Program) -> Vec<bool> {
     let mut flips = vec![false; program.steps.len()];
     let mut best = negated(program, &flips);
-    // Two rounds: a flip early in the program can make one later on worthwhile.
-    for _ in 0..2 {
-        for index in (0..flips.len()).rev() {
-            if best == 0 {
-                break;
-            }
-            if matches!(program.steps[index].op, Op::Add(..) | Op::Sub(..)) {
-                flips[index] = !flips[index];
-                let count = negated(program, &flips);
-                if count < best {
-                    best = count;
-                } else {
-                    flips[index] = !flips[index];
-                }
-            }
+    // Columns of a rotation hang together through the product that completes them: pairs find what single flips miss.
+    let candidates: Vec<usize> = flippable_outputs(program);
+    let pairs = candidates.iter().flat_map(|a| candidates.iter().map(move |b| [*a, *b]));
+    let singles = (0..program.steps.len()).rev().map(|index| [index, index]);
+    for pair in singles.chain(pairs) {
+        if best == 0 {
+            break;
+        }
+        flip(&mut flips, pair);
+        let count = negated(program, &flips);
+        if count < best {
+            best = count;
+        } else {
+            flip(&mut flips, pair);
         }
     }
     let (ops, negative) = with_flips(program, &flips);
@@ -38,6 +40,30 @@ pub fn settle(program: &mut Program) {
             *sign ^= negative[*index];
         }
     }
+    negative
+}
+
+/// Flips one step, or two different ones.
+fn flip(flips: &mut [bool], [a, b]: [usize; 2]) {
+    flips[a] = !flips[a];
+    if a != b {
+        flips[b] = !flips[b];
+    }
+}
+
+/// The outputs that are sums or differences, at most as many as keep the number of pairs small.
+fn flippable_outputs(program: &Program) -> Vec<usize> {
+    let mut found = Vec::new();
+    for output in &program.outputs {
+        if let Value::Step { index, .. } = output.value
+            && matches!(program.steps[index].op, Op::Add(..) | Op::Sub(..))
+            && !found.contains(&index)
+            && found.len() < MOST_PAIRED
+        {
+            found.push(index);
+        }
+    }
+    found
 }
 
 /// How many outputs would be negated.

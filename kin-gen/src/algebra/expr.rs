@@ -160,7 +160,7 @@ pub struct Exprs {
     older: Vec<Option<Id>>,
     constants: Vec<Poly>,
     turns: Vec<Turn>,
-    labels: BTreeMap<Id, String>,
+    labels: BTreeMap<Id, (String, bool)>,
 }
 
 impl Exprs {
@@ -240,13 +240,13 @@ impl Exprs {
     /// Suggests a textbook name for a computed value; the first suggestion stays.
     pub fn label(&mut self, term: Term, name: impl FnOnce() -> String) {
         if matches!(self.node(term.id), Node::Add(..) | Node::Sub(..) | Node::Mul(..)) {
-            self.labels.entry(term.id).or_insert_with(name);
+            self.labels.entry(term.id).or_insert_with(|| (name(), term.negative));
         }
     }
 
-    /// The name suggested for a node.
-    pub fn label_of(&self, id: Id) -> Option<&str> {
-        self.labels.get(&id).map(String::as_str)
+    /// The name suggested for a node, and whether it names the node's negative.
+    pub fn label_of(&self, id: Id) -> Option<(&str, bool)> {
+        self.labels.get(&id).map(|(name, negative)| (name.as_str(), *negative))
     }
 
     /// Multiplications and additions made since the mark.

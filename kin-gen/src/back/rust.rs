@@ -251,7 +251,7 @@ impl Printer<'_> {
     }
 
     fn matrix_value(&self, program: &Program) -> String {
-        format!("{}::private::matrix3({})", self.krate, self.rows(program, 0))
+        format!("{}::private::matrix({})", self.krate, self.rows(program, 0))
     }
 
     fn wrist(&self, text: &mut String, solver: &PoseSolver) {
@@ -266,7 +266,7 @@ impl Printer<'_> {
         let what = "⁰R₃ and the wrist centre, from the first three row values";
         self.method(text, what, &solver.r03, "q1: T, q2: T, q3: T", &centre, |p| {
             let position = self.list(p, 9..12);
-            format!("({}, {krate}::private::point3({position}))", self.matrix_value(p))
+            format!("({}, {krate}::private::point({position}))", self.matrix_value(p))
         });
         let program = &solver.wrist_matrix;
         line!(text, "/// The last three row values from ³R₆, by look-up of its entries.");

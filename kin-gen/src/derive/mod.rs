@@ -85,8 +85,10 @@ impl<'a> Deriver<'a> {
             _ => {
                 let group = &self.frames.groups[(level - 1) / 2];
                 let stage = if !level.is_multiple_of(2) { group.stages.first() } else { group.stages.last() };
-                let joint = stage.map_or(0, |s| s.joint + usize::from(level.is_multiple_of(2)));
-                format!("_{joint}")
+                match stage.map_or(0, |s| s.joint + usize::from(level.is_multiple_of(2))) {
+                    0 => String::new(),
+                    joint => format!("_{joint}"),
+                }
             }
         };
         for (i, term) in v.iter().enumerate() {
