@@ -3,7 +3,9 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// What a matrix product needs.
-pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
     /// A constant.
     fn constant(x: f64) -> Self;
     /// The sine and the cosine.

@@ -80,8 +80,10 @@ impl Reader<'_> {
     fn number(&mut self) -> f64 {
         let rest = self.rest.trim_start();
         let bytes = rest.as_bytes();
-        let exponent = |i: usize| i > 0 && matches!(bytes[i - 1], b'e' | b'E') && matches!(bytes[i], b'+' | b'-');
-        let part = |i: usize| bytes[i].is_ascii_digit() || matches!(bytes[i], b'.' | b'e' | b'E') || exponent(i);
+        let exponent =
+            |i: usize| i > 0 && matches!(bytes[i - 1], b'e' | b'E') && matches!(bytes[i], b'+' | b'-');
+        let part =
+            |i: usize| bytes[i].is_ascii_digit() || matches!(bytes[i], b'.' | b'e' | b'E') || exponent(i);
         let end = (0..bytes.len()).find(|&i| !part(i)).unwrap_or(bytes.len());
         self.rest = &rest[end..];
         rest[..end].parse().unwrap_or_else(|_| panic!("`{rest}` in `{}` is no number", self.text))

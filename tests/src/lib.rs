@@ -11,12 +11,20 @@
 //!                    └► dh: the same table as `.dh` text, for arms that `robots` does not declare
 //! ```
 
+pub mod declared;
 pub mod dh;
 pub mod dual;
 pub mod expression;
+pub mod interpreted;
+pub mod polynomial;
 pub mod pose;
 pub mod product;
 pub mod reference;
 pub mod sample;
 pub mod score;
 pub mod seeds;
+
+/// The README's program, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

@@ -17,7 +17,9 @@ pub fn times<T: Number>(a: &Matrix<T>, b: &Matrix<T>) -> Matrix<T> {
 /// A translation.
 pub fn shift<T: Number>(by: [T; 3]) -> Matrix<T> {
     std::array::from_fn(|i| {
-        std::array::from_fn(|j| if j == 3 && i < 3 { by[i] } else { T::constant(f64::from(u8::from(i == j))) })
+        std::array::from_fn(
+            |j| if j == 3 && i < 3 { by[i] } else { T::constant(f64::from(u8::from(i == j))) },
+        )
     })
 }
 
@@ -37,11 +39,12 @@ fn placed<T: Number>(frame: &Frame) -> Matrix<T> {
     times(&shift([x, y, z]), &turned)
 }
 
-fn product<T: Number>(arm: &Record, q: &[T]) -> Matrix<T> {
+/// The pose after the base and after each row.
+fn walk<T: Number>(arm: &Record, q: &[T]) -> Vec<Matrix<T>> {
     let zero = T::constant(0.0);
     let mut joints = q.iter().copied();
     let mut next = |wanted: bool| if wanted { joints.next().unwrap_or(zero) } else { zero };
-    let mut pose = placed(&arm.base);
+    let mut poses = vec![placed(&arm.base)];
     for row in &arm.rows {
         let theta = T::constant(value(&row.theta)) + next(row.kind == 'R');
         let d = T::constant(value(&row.d)) + next(row.kind == 'P');
@@ -52,9 +55,21 @@ fn product<T: Number>(arm: &Record, q: &[T]) -> Matrix<T> {
             "standard" => times(&screw, &times(&along, &twist)),
             _ => times(&times(&twist, &along), &screw),
         };
-        pose = times(&pose, &matrix);
+        let after = poses.last().map(|pose| times(pose, &matrix));
+        poses.extend(after);
     }
-    times(&pose, &placed(&arm.tool))
+    poses
+}
+
+fn product<T: Number>(arm: &Record, q: &[T]) -> Matrix<T> {
+    let poses = walk(arm, q);
+    times(&poses[poses.len() - 1], &placed(&arm.tool))
+}
+
+/// The frame at the end of each joint's own row, in the base frame.
+pub fn frames(arm: &Record, q: &[f64]) -> Vec<Matrix4> {
+    let after_rows = walk(arm, q).into_iter().skip(1);
+    after_rows.zip(&arm.rows).filter(|(_, row)| row.kind != 'F').map(|(pose, _)| pose).collect()
 }
 
 /// The pose of the tool in the base frame; metres and radians.

@@ -87,7 +87,8 @@ pub fn score(arm: &Record, case: &Inverse, solutions: &[Vec<f64>]) -> Score {
     score.unlisted = valid.len() - matched.len();
     // Where the families cross each other only one valid answer is asked for.
     if case.kind == "shoulder_and_wrist_singular" {
-        (score.families_listed, score.families_found, score.unlisted) = (1, usize::from(!valid.is_empty()), 0);
+        (score.families_listed, score.families_found, score.unlisted) =
+            (1, usize::from(!valid.is_empty()), 0);
     }
     let whole = score.found == score.listed && score.families_found == score.families_listed;
     let clean = score.spurious + score.unlisted + score.duplicates == 0;
@@ -151,7 +152,9 @@ fn match_listed(case: &Inverse, valid: &[&[f64]], kinds: &[char], score: &mut Sc
         score.doubles_found += hit(&|v| distance(kinds, q, v, &[]) < 1e-3);
     }
     for family in &case.families {
-        let gap = |v: &[f64], k: usize, x: f64| if kinds[k] == 'R' { wrap(v[k] - x).abs() } else { (v[k] - x).abs() };
+        let gap = |v: &[f64], k: usize, x: f64| {
+            if kinds[k] == 'R' { wrap(v[k] - x).abs() } else { (v[k] - x).abs() }
+        };
         score.families_listed += 1;
         score.families_found += hit(&|v| family.fixed.iter().all(|(&k, &x)| gap(v, k, x) < 1e-5));
     }

@@ -65,7 +65,7 @@ pub struct PrintedRow {
 pub struct Aligned {
     /// The joint values.
     pub q: [f64; 6],
-    /// The singular values of the Jacobian, linear rows divided by the reach.
+    /// The singular values of the Jacobian in metres and radians.
     pub singular_values: [f64; 6],
 }
 

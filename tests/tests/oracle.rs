@@ -10,7 +10,8 @@ fn the_plain_product_agrees_with_fifty_digits() {
         for case in arm.cases().fk {
             let off = difference(&product::pose(&arm, &case.q), &case.pose).relative(arm.reach());
             let columns = product::jacobian(&arm, &case.q);
-            let entries = (0..6).flat_map(|i| columns.iter().zip(&case.jacobian[i]).map(move |(c, j)| (c[i] - j).abs()));
+            let entries = (0..6)
+                .flat_map(|i| columns.iter().zip(&case.jacobian[i]).map(move |(c, j)| (c[i] - j).abs()));
             worst = (worst.0.max(off), entries.fold(worst.1, f64::max));
         }
         assert!(worst.0 < 5e-15 && worst.1 < 1e-14 * arm.reach().max(1.0), "{}: {worst:?}", arm.name);
