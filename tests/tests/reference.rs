@@ -47,5 +47,6 @@ fn arms_list_themselves() {
         let derived = kin_gen::compile_text(arm.table()).unwrap_or_else(|e| panic!("{}: {e}", arm.name()));
         assert_eq!(derived.name, arm.name());
         assert_eq!(derived.joints.len(), arm.joints().len());
+        assert!(arm.table().matches("check").count() >= 2, "{} has too few golden poses", arm.name());
     }
 }
