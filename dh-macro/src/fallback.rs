@@ -1,7 +1,7 @@
 //! The arm's shape after a mistake: the struct's fields and the traits it would have, so that the rest of the program
 //! does not complain about their absence. One mistake, one message.
 
-use kin_gen::decl::{self, Content, Decl, Expr};
+use kin_gen::decl::{self, Content, Decl, Expr, is_joint_variable};
 use kin_gen::report::Report;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -31,7 +31,7 @@ impl Outline {
             joints: if decl.whole {
                 joints(&decl)
             } else {
-                tokens.list.iter().filter(|t| is_q(&t.text)).count()
+                tokens.list.iter().filter(|token| is_joint_variable(&token.text)).count()
             },
         }
     }
@@ -51,7 +51,7 @@ impl Outline {
 
 /// How many joints the author seems to mean: a row or factor with a q is one, and so is a row with a name.
 fn joints(decl: &Decl) -> usize {
-    let moves = |expr: &Expr| expr.mentions(&is_q);
+    let moves = |expr: &Expr| expr.mentions(&is_joint_variable);
     let rows = decl.table.iter().flat_map(|table| &table.rows).filter(|row| {
         row.cells.iter().any(|cell| match &cell.content {
             Content::Name(_) => true,
@@ -61,11 +61,6 @@ fn joints(decl: &Decl) -> usize {
     });
     let factors = decl.factors.iter().filter(|factor| factor.argument.as_ref().is_some_and(moves));
     rows.count() + factors.count()
-}
-
-/// `q`, or `q3`.
-fn is_q(word: &str) -> bool {
-    word.strip_prefix('q').is_some_and(|number| number.chars().all(|c| c.is_ascii_digit()))
 }
 
 fn inherent(name: &Ident, fields: &[Field]) -> TokenStream {

@@ -25,17 +25,17 @@ use crate::tokens::Tokens;
 /// use kin_runtime::prelude::*;
 ///
 /// dh! {
-///     /// Unimation Puma 560, as in Armstrong, Khatib and Burdick 1986, without its tool flange.
-///     pub struct Puma560(modified, m, deg);
+///     /// Unimation Puma 560.
+///     pub struct Puma560(standard, m, deg);
 ///
-///     | joint | alpha |    a    |    d    | theta | limits       |
-///     |-------|-------|---------|---------|-------|--------------|
-///     | J1    |   0   | 0       | 0       |   q   | -160 .. 160  |
-///     | J2    | -90   | 0       | 0.2435  |   q   | -225 ..  45  |
-///     | J3    |   0   | 0.4318  | -0.0934 |   q   |  -45 .. 225  |
-///     | J4    |  90   | -0.0203 | 0.4331  |   q   | -110 .. 170  |
-///     | J5    | -90   | 0       | 0       |   q   | -100 .. 100  |
-///     | J6    |  90   | 0       | 0       |   q   | -266 .. 266  |
+///     | joint | alpha |   a    |    d    | theta | limits      |
+///     |-------|-------|--------|---------|-------|-------------|
+///     | J1    |  90   | 0      | 26.45in | q     | -160 .. 160 |
+///     | J2    |   0   | 0.4318 | 0       | q     |  -45 .. 225 |
+///     | J3    | -90   | 0.0203 | 0.15005 | q     | -225 ..  45 |
+///     | J4    |  90   | 0      | 0.4318  | q     | -110 .. 170 |
+///     | J5    | -90   | 0      | 0       | q     | -100 .. 100 |
+///     | J6    |   0   | 0      | 0       | q     | -266 .. 266 |
 /// }
 ///
 /// let pose = Puma560.fk(&joints![0.1, -0.4, 0.2, 0.3, 0.9, -0.5]);
@@ -52,7 +52,8 @@ use crate::tokens::Tokens;
 /// `#[dh(crate = path)]` says where the runtime is when it is not `::kin_runtime`; a `macro_rules` macro that wraps
 /// `dh!` writes `#[dh(crate = $crate::kin_runtime)]`.
 ///
-/// The header names, in this order, how the arm is written, its unit of length and its unit of angle:
+/// The header names how the arm is written, its unit of length and its unit of angle; all three are needed, since they
+/// give different arms:
 ///
 /// | | written | meaning |
 /// |---|---|---|
@@ -72,49 +73,44 @@ use crate::tokens::Tokens;
 /// # Grammar
 ///
 /// ```text
-/// arm      = attribute* visibility "struct" Name "(" header ")" ";" statement*
-/// header   = ("standard" | "modified" | "chain") "," ("m" | "cm" | "mm" | "in") "," ("deg" | "rad")
-/// statement = table | chain
-///          | "let"    name "=" expr ";"
-///          | "param"  name "=" expr ";"
-///          | "base:"  factor+ ";"
-///          | "tool:"  factor+ ";"
-///          | "couple:" joint ("+=" | "-=") [integer "*"] joint ("," …)* ";"
-///          | "check"  "[" expr ("," expr)* "]" "=>" "(" expr "," expr "," expr ")"
-///                     ["zyx" "(" expr "," expr "," expr ")"] ["within" number] ";"
-///          | "ik:"    family ";"
-/// table    = heading [dashes] row+
-/// heading  = "|" column ("|" column)* "|"
-/// row      = "|" cell ("|" cell)* "|"
-/// column   = "joint" | "alpha" | "a" | "d" | "theta" | "limits"
-/// cell     = [joint name | expr | expr ".." expr]
-/// chain    = factor+ ";"
-/// factor   = ("Rx" | "Ry" | "Rz" | "Tx" | "Ty" | "Tz") "(" expr ")"
-/// expr     = term (("+" | "-") term)*
-/// term     = unary (("*" | "/") unary)*
-/// unary    = ["-"] (number [unit] | "pi" | name | "q" | call | "(" expr ")")
-/// call     = ("sqrt" | "sin" | "cos") "(" expr ")"
-/// unit     = "m" | "cm" | "mm" | "in" | "deg" | "rad"
+/// arm       = attribute* [visibility] "struct" name "(" word "," word "," word ")" ";" statement*
+/// statement = table                                                 it ends by itself
+///           | factor+ ";"                                           the chain form
+///           | ("let" | "param") name "=" expr ";"
+///           | ("base" | "tool") ":" factor+ ";"
+///           | "couple" ":" joint ("+" | "-") "=" expr {"," joint ("+" | "-") "=" expr} ";"
+///           | "check" "[" exprs "]" "=" ">" "(" expr "," expr "," expr ")"
+///                     ["zyx" "(" expr "," expr "," expr ")"] ["within" expr] ";"
+///           | "ik" ":" family ";"
+/// table     = row+                                                  the first one names the columns
+/// row       = "|" {cell "|"}
+/// cell      = [name | expr | expr "." "." expr]
+/// factor    = ("Rx" | "Ry" | "Rz" | "Tx" | "Ty" | "Tz") "(" expr ")"
+/// expr      = product {("+" | "-") product}
+/// product   = signed {("*" | "/") signed}
+/// signed    = {"+" | "-"} atom
+/// atom      = number [unit] | "pi" | name | ("sqrt" | "sin" | "cos") "(" expr ")" | "(" expr ")"
+/// unit      = "m" | "cm" | "mm" | "in" | "deg" | "rad"
 /// ```
 ///
 /// The same text, in a `.dh` file, is what the command line and build scripts read.
 ///
 /// # The table
 ///
-/// A Markdown table, which `rustfmt` leaves alone. Columns come in any order; those that are not needed may be
-/// absent and count as zero.
+/// A Markdown table, which `rustfmt` leaves alone. Columns come in any order; `joint` and `limits` may be absent. A row
+/// of dashes is skipped.
 ///
 /// | column | also | what it holds |
 /// |---|---|---|
 /// | `joint` | `i` `frame` `link` `name` | the joint's name; empty in a fixed row |
 /// | `alpha` | `alpha_i` | the twist, an angle |
-/// | `a` | `a_i` `r` | the length of the common normal |
+/// | `a` | `a_i` `r` `r_i` | the length of the common normal |
 /// | `d` | `d_i` | the offset along z, a length; with `q`, the joint slides |
 /// | `theta` | `theta_i` | the angle about z; with `q`, the joint turns |
 /// | `limits` | | `-170 .. 170`, inclusive; `170 .. 190` goes through the half turn |
 ///
-/// A cell with `q` is `q`, `-q`, or one of these plus a constant: `q + 90`. In the row of joint 3, `q3` is accepted
-/// for `q`. A row without `q` is fixed: a bend or an offset between two joints.
+/// A cell with `q` is `q`, `-q`, or one of these plus a constant: `q + 90`. In the row of joint 3, `q3` and
+/// `theta3` are accepted for `q`. A row without `q` is fixed: a bend or an offset between two joints.
 ///
 /// The `chain` form is how reports print an arm: `Rz(q) Tz(l1) Rz(90) Rx(90)  Rz(q) Tx(l2) …`.
 ///

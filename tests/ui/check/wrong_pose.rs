@@ -1,0 +1,15 @@
+//! A golden pose that the table does not reach.
+use kin_runtime::prelude::*;
+
+dh! {
+    pub struct Lab(standard, m, deg);
+    | joint | alpha |  a   | d | theta |
+    | J1    |  90   | 0    | 0.168 | q |
+    | J2    |  0    | 0.135 | 0   | q |
+    | J3    |  0    | 0.135 | 0   | q |
+    check [0, 0, 0] => (0.27, 0, 0.2);
+}
+
+fn main() {
+    let _ = Lab.fk(&joints![0.1, 0.2, 0.3]);
+}

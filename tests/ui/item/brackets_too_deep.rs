@@ -1,0 +1,12 @@
+//! Nesting is bounded, so that no input overflows the stack of the compiler.
+use kin_runtime::prelude::*;
+
+dh! {
+    pub struct Lab(standard, m, deg);
+    | joint | alpha |  a   | d | theta |
+    | J1    |  90   | 0    | 0.168 | q |
+    | J2    |  0    | 0.135 | 0   | q |
+    | J3    |  0    | (((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((0.135))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))) | 0   | q |
+}
+
+fn main() {}

@@ -1,0 +1,15 @@
+//! An option that `dh` does not have.
+use kin_runtime::prelude::*;
+
+dh! {
+    #[dh(krate = kin_runtime)]
+    pub struct Lab(standard, m, deg);
+    | joint | alpha |  a   | d | theta |
+    | J1    |  90   | 0    | 0.168 | q |
+    | J2    |  0    | 0.135 | 0   | q |
+    | J3    |  0    | 0.135 | 0   | q |
+}
+
+fn main() {
+    let _ = Lab.fk(&joints![0.1, 0.2, 0.3]);
+}
