@@ -164,7 +164,7 @@ pub fn visit_ik_position<const N: usize, A: PositionInverse<N>>(
     point: [f64; 3],
     visit: &mut dyn FnMut(DynSlot<'_>),
 ) {
-    visit_slots(&arm.ik_position(&crate::private::point3(point)), visit);
+    visit_slots(&arm.ik_position(&crate::private::point(point)), visit);
 }
 
 fn visit_slots<const N: usize, B: Branch>(

@@ -1,9 +1,6 @@
 //! Robot-arm kinematics that the compiler derives.
 #![no_std]
 
-#[cfg(test)]
-extern crate std;
-
 pub mod arm;
 pub mod dynamic;
 pub mod geometry;
@@ -13,6 +10,8 @@ pub mod math;
 pub mod pose;
 #[doc(hidden)]
 pub mod private;
+#[cfg(test)]
+mod sample;
 pub mod singularity;
 pub mod solutions;
 

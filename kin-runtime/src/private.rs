@@ -1,11 +1,12 @@
 //! What generated code calls: no part of the public promise, and liable to change with the generator.
 
 pub use crate::__dyn_arm as dyn_arm;
+pub use crate::math::{abs, atan2, hypot};
 
 use crate::arm::{Arm, SphericalWrist};
 use crate::ik::wrist::{self, Rows};
 use crate::ik::{Base, Wrist};
-use crate::math::{self, Float, Real};
+use crate::math::{Float, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};
 use nalgebra::{ArrayStorage, Matrix3, Point3, SMatrix};
 
@@ -58,38 +59,23 @@ pub const fn joints<T, const N: usize>(values: [T; N]) -> Joints<T, N> {
 }
 
 /// A matrix from its rows.
-pub fn matrix3<T: Real>(rows: [[T; 3]; 3]) -> Matrix3<T> {
+pub fn matrix<T: Real>(rows: [[T; 3]; 3]) -> Matrix3<T> {
     pose::matrix3(rows)
 }
 
 /// The rows of a matrix.
-pub fn matrix3_rows<T: Real>(matrix: &Matrix3<T>) -> [[T; 3]; 3] {
+pub fn matrix_rows<T: Real>(matrix: &Matrix3<T>) -> [[T; 3]; 3] {
     pose::matrix_rows(matrix)
 }
 
 /// A point from its coordinates.
-pub fn point3<T: Real>(coordinates: [T; 3]) -> Point3<T> {
+pub fn point<T: Real>(coordinates: [T; 3]) -> Point3<T> {
     Point3 { coords: pose::column(coordinates) }
 }
 
 /// The coordinates of a point.
-pub fn point3_entries<T: Real>(point: &Point3<T>) -> [T; 3] {
+pub fn point_entries<T: Real>(point: &Point3<T>) -> [T; 3] {
     pose::entries(&point.coords)
-}
-
-/// The length of (x, y): a link whose ends are given by parameters.
-pub fn hypot<T: Float>(x: T, y: T) -> T {
-    math::hypot(x, y)
-}
-
-/// The direction of (x, y): a bend that parameters decide.
-pub fn atan2<T: Float>(y: T, x: T) -> T {
-    math::atan2(y, x)
-}
-
-/// The size of a length that a parameter decides.
-pub fn abs<T: Float>(x: T) -> T {
-    math::abs(x)
 }
 
 /// An orthogonal wrist: m = Rz(a)·Ry(b)·Rz(c), by rows; row values are the angles less their offsets, or the offsets

@@ -15,7 +15,7 @@
 //!    ([circles](crate::geometry::circle_meets_circle)), or a slide does.
 
 use crate::geometry::{Chord, Span, circle_meets_circle, circle_meets_plane};
-use crate::ik::BOUNDARY;
+use crate::ik::ROUND_OFF;
 use crate::ik::wrist::{figure_angle, row_length, row_value};
 use crate::math::{self, Float};
 use crate::solutions::{ArmPosture, Boundary, Branch, Elbow, Reason, Shoulder};
@@ -97,7 +97,18 @@ struct Stand<T> {
     reversed: [bool; 2],
 }
 
-/// The arm's plane, once joint 1 is set: the row value, the wrist centre in the plane, and whether joint 1 was free.
+/// The wrist centre seen from axis 1: its azimuth and its distance, and how it must lie once joint 1 is set.
+struct Sight<T> {
+    azimuth: T,
+    radius: T,
+    /// Across the common normal of axes 1 and 2, in the turned frame.
+    across: T,
+    /// In the arm's plane, at right angles to that normal.
+    v: T,
+    chord: Chord<T>,
+}
+
+/// The arm's plane, once joint 1 is set: its row value, the wrist centre in the plane, and whether joint 1 was free.
 #[derive(Clone, Copy)]
 struct Plane<T> {
     t1: T,
@@ -106,35 +117,61 @@ struct Plane<T> {
     free: bool,
 }
 
-/// Where the arm's second figure closes: its direction in the plane, less ψ2, and the row value of joint 3.
+/// How the links or the slide close over a distance: the direction of the wrist centre less ψ2, and the row value of
+/// joint 3.
 struct Figure<T> {
     lean: T,
     t3: T,
     free: bool,
 }
 
+/// Why they do not: the radius of the boundary circle, and the reason.
+struct Open<T> {
+    boundary: T,
+    reason: Reason<T>,
+}
+
 impl<T: Float> Base<T> {
     /// All ways of putting the wrist centre at `p`, in the shoulder frame. `size` is what round-off is compared with;
     /// `hold` are row values for joints that turn out to be free.
     pub fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
-        let stand = self.stand();
-        let right = stand.plane(p, Shoulder::Right, size, hold.map(|[t1, _]| t1));
-        let left = stand.plane(p, Shoulder::Left, size, hold.map(|[t1, _]| t1));
-        let held = hold.map(|[_, t2]| t2);
+        let (stand, window) = (self.stand(), T::lit(ROUND_OFF) * T::EPS * size);
+        let sight = stand.sight(p, window);
         ArmPosture::slots(|posture| {
-            let plane = match posture.shoulder {
-                Shoulder::Right => right?,
-                Shoulder::Left => left?,
-            };
-            let distance = math::hypot(plane.x, plane.v);
-            let figure = match self {
-                Base::Elbow(base) => base.span(posture, distance, size),
-                Base::Telescope(base) => base.slide(posture, distance, size),
-            };
-            let figure = figure.map_err(|reason| reason.at(plane.t1))?;
-            let t2 = stand.second(&plane, &figure, distance, size, held);
-            Ok(Placed { rows: [plane.t1, t2, figure.t3], shoulder_free: plane.free, elbow_free: figure.free })
+            let plane = stand.plane(p, &sight, posture.shoulder, hold)?;
+            self.close(&stand, &plane, posture, window, hold).or_else(|open| {
+                // Near the touching of the first figure its round-off is amplified in x: a boundary of the second
+                // that is missed by no more than that is reached.
+                let nudged = stand.nudged(&plane, &sight, open.boundary, window);
+                let closed = nudged.and_then(|plane| self.close(&stand, &plane, posture, window, hold).ok());
+                closed.ok_or(open.reason)
+            })
         })
+    }
+
+    /// Joints 2 and 3, once joint 1 is set.
+    fn close(
+        &self,
+        stand: &Stand<T>,
+        plane: &Plane<T>,
+        posture: ArmPosture,
+        window: T,
+        hold: Option<[T; 2]>,
+    ) -> Result<Placed<T>, Open<T>> {
+        let distance = math::hypot(plane.x, plane.v);
+        // A free first joint leaves the wrist centre anywhere within another window.
+        let window = if plane.free { window + window } else { window };
+        let figure = match self {
+            Base::Elbow(base) => base.span(posture, distance, window),
+            Base::Telescope(base) => base.slide(posture, distance, window),
+        };
+        let figure = figure.map_err(|open| Open { reason: open.reason.at(plane.t1), ..open })?;
+        let t2 = match (figure.free, hold) {
+            (false, _) => stand.second(math::atan2(plane.v, plane.x) - figure.lean),
+            (true, Some([_, t2])) => math::wrap(t2),
+            (true, None) => T::lit(0.0),
+        };
+        Ok(Placed { rows: [plane.t1, t2, figure.t3], shoulder_free: plane.free, elbow_free: figure.free })
     }
 
     fn stand(&self) -> Stand<T> {
@@ -148,73 +185,82 @@ impl<T: Float> Base<T> {
 }
 
 impl<T: Float> Stand<T> {
-    /// Joint 1: turns the arm's plane onto the wrist centre.
-    fn plane(
-        &self,
-        [px, py, pz]: [T; 3],
-        side: Shoulder,
-        size: T,
-        hold: Option<T>,
-    ) -> Result<Plane<T>, Reason<T>> {
+    /// The first figure: the circle of the wrist centre about axis 1 meets the arm's plane.
+    fn sight(&self, [px, py, pz]: [T; 3], window: T) -> Sight<T> {
         let (sine, cosine) = self.twist;
         // z2·u = h, solved for the part of u across the common normal.
         let across = (cosine * pz - self.lateral) / sine;
-        let in_plane =
-            |t1, along, free| Plane { t1, x: along - self.a1, v: cosine * across + sine * pz, free };
         let radius = math::hypot(px, py);
-        match circle_meets_plane(radius, across, size) {
+        Sight {
+            azimuth: math::atan2(py, px),
+            radius,
+            across,
+            v: cosine * across + sine * pz,
+            chord: circle_meets_plane(radius, across, window),
+        }
+    }
+
+    /// Joint 1: turns the arm's plane onto the wrist centre.
+    fn plane(
+        &self,
+        [px, py, _]: [T; 3],
+        sight: &Sight<T>,
+        side: Shoulder,
+        hold: Option<[T; 2]>,
+    ) -> Result<Plane<T>, Reason<T>> {
+        match sight.chord {
             Chord::Apart(by) => Err(Reason::OutOfReach { by, towards: Boundary::Cylinder, theta1: None }),
-            Chord::Cut(half) => {
-                let along = if side == Shoulder::Right { half } else { -half };
-                Ok(in_plane(self.first(math::atan2(py, px) - math::atan2(across, along)), along, false))
-            }
+            Chord::Cut(half) => Ok(self.turned(sight, if side == Shoulder::Right { half } else { -half })),
             Chord::Free => {
-                let turned = |t1: T| {
-                    let (s, c) = math::sin_cos(self.figure_first(t1));
-                    (c * px + s * py, c * py - s * px)
-                };
-                let wanted = hold.unwrap_or(T::lit(0.0));
-                let (along, aside) = turned(wanted);
-                if hold.is_some() || math::abs(aside - across) <= T::lit(BOUNDARY) * T::EPS * size {
-                    return Ok(in_plane(math::wrap(wanted), along, true));
-                }
-                // The convention would cost accuracy: take the direction that round-off has left.
-                let t1 = self.first(math::atan2(py, px));
-                Ok(in_plane(t1, turned(t1).0, true))
+                let ([offset, _], [reversed, _]) = (self.offset, self.reversed);
+                let t1 = hold.map_or(T::lit(0.0), |[t1, _]| math::wrap(t1));
+                let (s, c) = math::sin_cos(figure_angle(t1, offset, reversed));
+                Ok(Plane { t1, x: c * px + s * py - self.a1, v: sight.v, free: true })
             }
         }
     }
 
-    fn first(&self, figure: T) -> T {
+    /// The plane in which the wrist centre is this far along the common normal.
+    fn turned(&self, sight: &Sight<T>, along: T) -> Plane<T> {
         let ([offset, _], [reversed, _]) = (self.offset, self.reversed);
-        row_value(figure, offset, reversed)
+        let t1 = row_value(sight.azimuth - math::atan2(sight.across, along), offset, reversed);
+        Plane { t1, x: along - self.a1, v: sight.v, free: false }
     }
 
-    fn figure_first(&self, row: T) -> T {
-        let ([offset, _], [reversed, _]) = (self.offset, self.reversed);
-        figure_angle(row, offset, reversed)
-    }
-
-    /// Joint 2: turns the closed figure onto the wrist centre.
-    fn second(&self, plane: &Plane<T>, figure: &Figure<T>, distance: T, size: T, hold: Option<T>) -> T {
-        let ([_, offset], [_, reversed]) = (self.offset, self.reversed);
-        let harmless = distance <= T::lit(BOUNDARY) * T::EPS * size;
-        match (figure.free, hold) {
-            (true, Some(t2)) => math::wrap(t2),
-            (true, None) if harmless => T::lit(0.0),
-            _ => row_value(math::atan2(plane.v, plane.x) - figure.lean, offset, reversed),
+    /// The plane in which the wrist centre lies on the boundary circle of the second figure, if that is within
+    /// round-off of the circle about axis 1.
+    fn nudged(&self, plane: &Plane<T>, sight: &Sight<T>, boundary: T, window: T) -> Option<Plane<T>> {
+        if plane.free || math::abs(sight.v) - boundary > window {
+            return None;
         }
+        let x = math::sqrt_or_zero((boundary - sight.v) * (boundary + sight.v));
+        let along = self.a1 + if plane.x < T::lit(0.0) { -x } else { x };
+        let off = math::abs(math::hypot(along, sight.across) - sight.radius);
+        (off <= window).then(|| self.turned(sight, along))
+    }
+
+    fn second(&self, figure: T) -> T {
+        let ([_, offset], [_, reversed]) = (self.offset, self.reversed);
+        row_value(figure, offset, reversed)
     }
 }
 
 impl<T: Float> ElbowBase<T> {
     /// The elbow: two links span the distance.
-    fn span(&self, posture: ArmPosture, distance: T, size: T) -> Result<Figure<T>, Reason<T>> {
-        let (bend, free) = match circle_meets_circle(self.upper, self.fore, distance, size) {
+    fn span(&self, posture: ArmPosture, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
+        let (bend, free) = match circle_meets_circle(self.upper, self.fore, distance, window) {
             Span::Bend(bend) => (bend, false),
             Span::Free => (math::half_turn(), true),
-            Span::TooFar(by) => return Err(Reason::too_far(by)),
-            Span::TooNear(by) => return Err(Reason::too_near(by)),
+            Span::TooFar(by) => {
+                return Err(Open {
+                    boundary: self.upper + self.fore,
+                    reason: Reason::beyond(by, Boundary::OuterCircle),
+                });
+            }
+            Span::TooNear(by) => {
+                let boundary = math::abs(self.upper - self.fore);
+                return Err(Open { boundary, reason: Reason::beyond(by, Boundary::InnerCircle) });
+            }
         };
         // Seen along z2, a forearm that bends back downwards leaves the elbow up; over the back it is the other way,
         // and so it is where axis 2 points to the other side.
@@ -231,12 +277,15 @@ impl<T: Float> ElbowBase<T> {
 
 impl<T: Float> TelescopeBase<T> {
     /// The slide: a right triangle of the arm b and the extension s.
-    fn slide(&self, posture: ArmPosture, distance: T, size: T) -> Result<Figure<T>, Reason<T>> {
+    fn slide(&self, posture: ArmPosture, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
         let ([_, _, offset], [_, _, reversed]) = (self.offset, self.reversed);
-        let (extension, free) = match circle_meets_plane(distance, self.arm, size) {
+        let (extension, free) = match circle_meets_plane(distance, self.arm, window) {
             Chord::Cut(half) => (half, false),
             Chord::Free => (T::lit(0.0), true),
-            Chord::Apart(by) => return Err(Reason::too_near(by)),
+            Chord::Apart(by) => {
+                let boundary = math::abs(self.arm);
+                return Err(Open { boundary, reason: Reason::beyond(by, Boundary::InnerCircle) });
+            }
         };
         let s = if posture.elbow == Elbow::Up { extension } else { -extension };
         Ok(Figure { lean: math::atan2(s, self.arm), t3: row_length(s, offset, reversed), free })
@@ -244,12 +293,8 @@ impl<T: Float> TelescopeBase<T> {
 }
 
 impl<T: Float> Reason<T> {
-    fn too_far(by: T) -> Self {
-        Reason::OutOfReach { by, towards: Boundary::OuterCircle, theta1: None }
-    }
-
-    fn too_near(by: T) -> Self {
-        Reason::OutOfReach { by, towards: Boundary::InnerCircle, theta1: None }
+    fn beyond(by: T, towards: Boundary) -> Self {
+        Reason::OutOfReach { by, towards, theta1: None }
     }
 
     /// Remembers the value of joint 1 at which a later figure failed.

@@ -14,8 +14,9 @@
 //! Three windows decide, each a multiple of ε times the size of what is compared (the arm's reach, or the pose's
 //! distance from the base if that is larger):
 //!
-//! * [`BOUNDARY`]: a figure that is closed but for this counts as just touching, and is clamped there;
-//! * [`FAMILY`]: a figure collapsed to within this leaves its coordinate free;
+//! * [`ROUND_OFF`]: a figure that closes but for this counts as just touching, and is clamped there; one that is
+//!   smaller than this has collapsed, and leaves its angle free;
+//! * [`FAMILY`]: a wrist bent by less than this leaves the sum or the difference of its outer angles free;
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
 pub mod base;
@@ -27,12 +28,12 @@ pub mod wrist;
 pub use base::{Base, ElbowBase, TelescopeBase};
 pub use wrist::{Wrist, WristFamily};
 
-/// Round-off that a touching figure may show, in units of ε times the size. A pose that is exactly on the boundary
-/// comes out within 3; one that misses it by ten thousand times as much must not be called reachable.
-pub const BOUNDARY: f64 = 8.0;
+/// Round-off of a figure, in units of ε times the size. A pose that is exactly on the boundary comes out within 3; one
+/// that misses it by a thousand times as much must not be called reachable.
+pub const ROUND_OFF: f64 = 8.0;
 
-/// How far a collapsed figure may be from collapsed, in units of ε times the size. All members of the family then
-/// reach the pose within [`ACCEPTED`].
+/// The bend of a wrist whose axes 4 and 6 count as coinciding, in units of ε: the rounding of the first three joints
+/// is in it. All members of the family then reach the pose within [`ACCEPTED`].
 pub const FAMILY: f64 = 32.0;
 
 /// The largest residual of a solution that is given out, in units of ε.

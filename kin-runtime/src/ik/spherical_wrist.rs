@@ -64,25 +64,25 @@ fn bend<T: Float, A: SolveWrist<6>>(
     placed: &Placed<T>,
     hold: Option<[T; 6]>,
 ) -> [Slot<T, 6, Posture>; 2] {
-    let [t1, t2, t3] = placed.rows;
+    let (rows, wrist) = reached(arm, target, placed, hold.is_some());
+    let [t1, t2, t3] = rows;
     let free = |wrist| Free {
-        shoulder: placed.shoulder_free.then(|| moving(arm, target, placed.rows, 0)),
-        elbow: placed.elbow_free.then(|| moving(arm, target, placed.rows, 1)),
+        shoulder: placed.shoulder_free.then(|| moving(arm, target, rows, 0)),
+        elbow: placed.elbow_free.then(|| moving(arm, target, rows, 1)),
         wrist,
     };
     let slot = |bend, [t4, t5, t6]: [T; 3], wrist| {
         check(arm, target, posture.with(bend), [t1, t2, t3, t4, t5, t6], free(wrist))
     };
-    match arm.wrist_angles(&arm.wrist_rotation(placed.rows, &target.pose)) {
+    match wrist {
         Wrist::Two { noflip, flip } => [slot(Bend::NoFlip, noflip, None), slot(Bend::Flip, flip, None)],
         Wrist::Family(family) => {
             let member = match hold {
                 Some([_, _, _, t4, _, _]) => family.member(t4),
                 None => family.even(),
             };
-            let line = line(arm, family.difference);
             let merged = Slot::Merged { with: posture.with(Bend::NoFlip) };
-            match slot(Bend::NoFlip, member, Some(line)) {
+            match slot(Bend::NoFlip, member, Some(line(arm, family.difference))) {
                 Slot::Empty(reason) => [Slot::Empty(reason); 2],
                 solved => [solved, merged],
             }
@@ -91,6 +91,34 @@ fn bend<T: Float, A: SolveWrist<6>>(
             [Slot::Empty(Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) }); 2]
         }
     }
+}
+
+/// What the wrist makes of a placement. An oblique wrist may not reach where a free joint stands by convention; then
+/// sixteen other values of that joint are tried.
+fn reached<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    target: &Target<T>,
+    placed: &Placed<T>,
+    held: bool,
+) -> ([T; 3], Wrist<T>) {
+    let solve = |rows| (rows, arm.wrist_angles(&arm.wrist_rotation(rows, &target.pose)));
+    let convention = solve(placed.rows);
+    if held || !matches!(convention.1, Wrist::OutOfReach { .. }) {
+        return convention;
+    }
+    let [t1, t2, t3] = placed.rows;
+    for turn in 1..16 {
+        let step = math::half_turn::<T>() * T::lit(0.125 * f64::from(turn));
+        let other = match (placed.shoulder_free, placed.elbow_free) {
+            (true, _) => solve([math::wrap(t1 + step), t2, t3]),
+            (false, true) => solve([t1, math::wrap(t2 + step), t3]),
+            (false, false) => break,
+        };
+        if !matches!(other.1, Wrist::OutOfReach { .. }) {
+            return other;
+        }
+    }
+    convention
 }
 
 /// The joint values that command these row values, if forward kinematics confirms them.
@@ -125,11 +153,11 @@ fn line<A: SolveWrist<6>>(arm: &A, difference: bool) -> SVector<i8, 6> {
     SVector::from(arm.command([0.0, 0.0, 0.0, 1.0, 0.0, back]).map(|step: f64| step as i8))
 }
 
-/// The joints that move when the free joint `of` does, told from two other members of the family.
+/// The joints that move when the free joint `of` does, told from three other members of the family.
 fn moving<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3], of: usize) -> JointSet {
     let here = sample(arm, target, rows);
     let mut set = JointSet::EMPTY.with(of);
-    for step in [1.0, 2.5] {
+    for step in [0.1, -0.1, 2.0] {
         let mut other = rows;
         if let Some(value) = other.get_mut(of) {
             *value = *value + T::lit(step);

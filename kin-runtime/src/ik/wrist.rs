@@ -1,7 +1,7 @@
 //! Three axes through one point: the last three joints from the rotation that they must produce.
 
 use crate::geometry::{Corner, cone_meets_cone};
-use crate::ik::{BOUNDARY, FAMILY};
+use crate::ik::{FAMILY, ROUND_OFF};
 use crate::math::{self, Float};
 use crate::pose;
 
@@ -31,11 +31,11 @@ pub struct WristFamily<T> {
     pub difference: bool,
     /// That constant, in (-π, π].
     pub constant: T,
-    /// The member that the entries of the rotation favour: what round-off has left of t4.
-    own: T,
-    /// The bend at which the axes coincide exactly.
+    /// The bend at which the axes coincide.
     straight: T,
-    /// How far the bend of the member `own` is from that: round-off.
+    /// The member that the entries of the rotation favour: the axes coincide but for round-off, and this is its trace.
+    own: [T; 3],
+    /// The angle between the axes that round-off has left.
     tilt: T,
 }
 
@@ -43,17 +43,14 @@ impl<T: Float> WristFamily<T> {
     /// The member with the given t4.
     pub fn member(&self, t4: T) -> [T; 3] {
         let t6 = if self.difference { t4 - self.constant } else { self.constant - t4 };
-        let (_, towards_own) = math::sin_cos(t4 - self.own);
-        [math::wrap(t4), math::wrap(self.straight + self.tilt * towards_own), math::wrap(t6)]
+        [math::wrap(t4), self.straight, math::wrap(t6)]
     }
 
     /// The member that shares the constant evenly between joints 4 and 6: the convention of seed 000. Where that
     /// would cost accuracy, the member that fits best.
     pub fn even(&self) -> [T; 3] {
-        let half = self.constant * T::lit(0.5);
-        let (off_own, _) = math::sin_cos(half - self.own);
-        let kept = math::abs(self.tilt * off_own) <= T::lit(BOUNDARY) * T::EPS;
-        self.member(if kept { half } else { self.own })
+        let harmless = self.tilt <= T::lit(ROUND_OFF) * T::EPS;
+        if harmless { self.member(self.constant * T::lit(0.5)) } else { self.own }
     }
 }
 
@@ -108,29 +105,20 @@ pub fn zyz<T: Float>(m: [[T; 3]; 3], rows: &Rows<T>) -> Wrist<T> {
     let c = math::atan2(ca * m21 - sa * m11, ca * m22 - sa * m12);
     if singular {
         let straight = if m33 < T::lit(0.0) { math::half_turn() } else { T::lit(0.0) };
-        return family([a, b, c], straight, m33, rows);
+        return family([a, b, c], [a, straight, c], sin_b, m33, rows);
     }
     Wrist::Two { noflip: rows.values([a, b, c]), flip: rows.values([opposite(a), -b, opposite(c)]) }
 }
 
-/// The family of which `own` is one member, by figure angles; `straight` is the bend at which axes 4 and 6 coincide
-/// and `cosine` tells whether they then have the same sense.
-fn family<T: Float>(own: [T; 3], straight: T, cosine: T, rows: &Rows<T>) -> Wrist<T> {
-    let ([_, middle, _], [ra, rb, rc]) = (rows.offset, rows.reversed);
-    let [_, bend, _] = own;
-    let [t4, _, t6] = rows.values(own);
+/// The family of a wrist by figure angles: the member `own` that fits best, and a member bent so that axes 4 and 6
+/// coincide exactly; the sign of `cosine` tells whether they then have the same sense.
+fn family<T: Float>(own: [T; 3], exact: [T; 3], tilt: T, cosine: T, rows: &Rows<T>) -> Wrist<T> {
+    let [first, _, last] = rows.reversed;
+    let [t4, straight, t6] = rows.values(exact);
     // In figure angles a + c is constant where the axes agree, a - c where they oppose; one reversed joint swaps that.
-    let difference = (cosine < T::lit(0.0)) != (ra != rc);
+    let difference = (cosine < T::lit(0.0)) != (first != last);
     let constant = math::wrap(if difference { t4 - t6 } else { t4 + t6 });
-    let tilt = math::wrap(bend - straight);
-    let tilt = if rb { -tilt } else { tilt };
-    Wrist::Family(WristFamily {
-        difference,
-        constant,
-        own: t4,
-        straight: row_value(straight, middle, rb),
-        tilt,
-    })
+    Wrist::Family(WristFamily { difference, constant, straight, own: rows.values(own), tilt })
 }
 
 /// An oblique wrist: m = Rz(a)·K4·Rz(b)·K5·Rz(c), by rows; K4 and K5 are constant rotations.
@@ -148,14 +136,14 @@ pub fn oblique<T: Float>(m: [[T; 3]; 3], k4: [[T; 3]; 3], k5: [[T; 3]; 3], rows:
     let angle_46 = math::atan2(sin_46, m33);
     // With this bend axes 4 and 6 are at their smallest angle, on the same side of axis 5.
     let closest = math::atan2(u2 * v1 - u1 * v2, u1 * v1 + u2 * v2);
-    let swing = match cone_meets_cone(angle_45, angle_56, angle_46) {
+    let swing = match cone_meets_cone(angle_45, angle_56, angle_46, T::lit(FAMILY) * T::EPS) {
         Corner::Angle(corner) => corner,
         Corner::TooFar(by) | Corner::TooNear(by) => return Wrist::OutOfReach { by },
     };
     let noflip = bent(&m, &k4, &k5, closest + swing);
     if sin_46 <= T::lit(FAMILY) * T::EPS {
         let straight = if m33 < T::lit(0.0) { closest + math::half_turn() } else { closest };
-        return family(noflip, straight, m33, rows);
+        return family(noflip, bent(&m, &k4, &k5, straight), sin_46, m33, rows);
     }
     let flip = bent(&m, &k4, &k5, closest - swing);
     Wrist::Two { noflip: rows.values(noflip), flip: rows.values(flip) }

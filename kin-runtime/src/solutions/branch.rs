@@ -237,7 +237,7 @@ impl fmt::Display for Posture {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::string::ToString;
+    use crate::sample::Text;
 
     fn keeps_its_order<B: Branch>() {
         let slots = B::slots(|branch| branch);
@@ -260,10 +260,11 @@ mod tests {
     #[test]
     fn labels_are_the_three_words() {
         for posture in Posture::ALL {
-            let words = std::format!("{}/{}/{}", posture.shoulder, posture.elbow, posture.wrist);
-            assert_eq!(posture.to_string(), words);
-            assert!(posture.to_string().starts_with(&posture.arm().to_string()));
+            let words = [Text::of(&posture.shoulder), Text::of(&posture.elbow), Text::of(&posture.wrist)];
+            let label = Text::of(posture);
+            assert!(label.as_str().split('/').eq(words.iter().map(Text::as_str)), "{posture}");
+            assert!(label.as_str().starts_with(Text::of(&posture.arm()).as_str()));
         }
-        assert_eq!(std::format!("[{:>12}]", Bend::Flip), "[        flip]");
+        assert_eq!(Text::of(&format_args!("[{:>12}]", Bend::Flip)).as_str(), "[        flip]");
     }
 }

@@ -1,0 +1,194 @@
+//! Arms for the tests of this crate, written as plain products of matrices: they share nothing with generated code.
+
+mod figures;
+mod table;
+
+pub(crate) use figures::Figures;
+pub(crate) use table::{LAB_ARM, LabRrr, PUMA_560, STANFORD_ARM};
+
+use crate::math::{self, Real};
+use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::{Arm, private};
+use core::fmt::{self, Write};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Rows of a rotation.
+pub(crate) type Rotation = [[f64; 3]; 3];
+
+/// Text of fixed capacity, because there is no allocator here.
+pub(crate) struct Text {
+    bytes: [u8; 4096],
+    length: usize,
+}
+
+impl Text {
+    pub(crate) fn of(value: &dyn fmt::Display) -> Text {
+        let mut text = Text { bytes: [0; 4096], length: 0 };
+        write!(text, "{value}").unwrap();
+        text
+    }
+
+    pub(crate) fn as_str(&self) -> &str {
+        core::str::from_utf8(&self.bytes[..self.length]).unwrap()
+    }
+}
+
+impl Write for Text {
+    fn write_str(&mut self, s: &str) -> fmt::Result {
+        let room = self.bytes.get_mut(self.length..self.length + s.len()).ok_or(fmt::Error)?;
+        room.copy_from_slice(s.as_bytes());
+        self.length += s.len();
+        Ok(())
+    }
+}
+
+/// A small counter-based generator (splitmix64).
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Uniform in [low, high).
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(crate) fn angle(&mut self) -> f64 {
+        self.within(-core::f64::consts::PI, core::f64::consts::PI)
+    }
+
+    pub(crate) fn coin(&mut self) -> bool {
+        self.bits() & 1 == 1
+    }
+
+    /// Uniform in the range, or zero.
+    pub(crate) fn sometimes(&mut self, low: f64, high: f64) -> f64 {
+        if self.coin() { self.within(low, high) } else { 0.0 }
+    }
+
+    pub(crate) fn rotation(&mut self) -> Rotation {
+        let (z, y, x) = (about_z(self.angle()), about_x(self.angle()), about_z(self.angle()));
+        pose::product(&z, &pose::product(&y, &x))
+    }
+}
+
+pub(crate) fn about_x<T: Real>(angle: T) -> [[T; 3]; 3] {
+    let ((s, c), o, l) = (math::sin_cos(angle), T::lit(0.0), T::lit(1.0));
+    [[l, o, o], [o, c, -s], [o, s, c]]
+}
+
+pub(crate) fn about_z<T: Real>(angle: T) -> [[T; 3]; 3] {
+    let ((s, c), o, l) = (math::sin_cos(angle), T::lit(0.0), T::lit(1.0));
+    [[c, -s, o], [s, c, o], [o, o, l]]
+}
+
+/// What an elementary transform may do.
+#[derive(Clone, Copy)]
+pub(crate) enum Step<T> {
+    TurnX(T),
+    TurnZ(T),
+    Turn([[T; 3]; 3]),
+    Shift([T; 3]),
+}
+
+/// The product of elementary transforms.
+pub(crate) fn chain<T: Real>(steps: impl IntoIterator<Item = Step<T>>) -> Pose<T> {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (mut r, mut p) = ([[one, zero, zero], [zero, one, zero], [zero, zero, one]], [zero; 3]);
+    for step in steps {
+        match step {
+            Step::TurnX(angle) => r = pose::product(&r, &about_x(angle)),
+            Step::TurnZ(angle) => r = pose::product(&r, &about_z(angle)),
+            Step::Turn(m) => r = pose::product(&r, &m),
+            Step::Shift(by) => {
+                for (x, row) in p.iter_mut().zip(&r) {
+                    *x = *x + pose::dot(row, &by);
+                }
+            }
+        }
+    }
+    pose::from_rows(r, p)
+}
+
+/// A constant rotation as the number type wants it.
+pub(crate) fn lit<T: Real>(m: &Rotation) -> [[T; 3]; 3] {
+    m.map(|row| row.map(T::lit))
+}
+
+/// A matrix times a column.
+pub(crate) fn apply<T: Real>(m: &[[T; 3]; 3], v: &[T; 3]) -> [T; 3] {
+    m.map(|row| pose::dot(&row, v))
+}
+
+/// A value and its derivative with respect to one joint.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Dual<T>(T, T);
+
+impl<T: Real> Add for Dual<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Dual(self.0 + other.0, self.1 + other.1)
+    }
+}
+
+impl<T: Real> Sub for Dual<T> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Dual(self.0 - other.0, self.1 - other.1)
+    }
+}
+
+impl<T: Real> Mul for Dual<T> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Dual(self.0 * other.0, self.0 * other.1 + self.1 * other.0)
+    }
+}
+
+impl<T: Real> Div for Dual<T> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Dual(self.0 / other.0, (self.1 - self.0 * other.1 / other.0) / other.0)
+    }
+}
+
+impl<T: Real> Neg for Dual<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Dual(-self.0, -self.1)
+    }
+}
+
+impl<T: Real> Real for Dual<T> {
+    fn lit(x: f64) -> Self {
+        Dual(T::lit(x), T::lit(0.0))
+    }
+    fn sqrt(self) -> Self {
+        let root = math::sqrt(self.0);
+        Dual(root, self.1 / (root + root))
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = math::sin_cos(self.0);
+        (Dual(s, c * self.1), Dual(c, -(s * self.1)))
+    }
+}
+
+/// The geometric Jacobian by dual numbers: forward kinematics, differentiated as it is written.
+pub(crate) fn jacobian<T: Real, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Jacobian<T, N> {
+    let mut columns = [[T::lit(0.0); 6]; N];
+    for (j, column) in columns.iter_mut().enumerate() {
+        let mut moving = pose::entries(q).map(|value| Dual(value, T::lit(0.0)));
+        moving[j].1 = T::lit(1.0);
+        let (r, [x, y, z]) = pose::rows(&arm.fk(&pose::column(moving)));
+        let spin =
+            pose::product(&r.map(|row| row.map(|e| e.1)), &pose::transposed(&r.map(|row| row.map(|e| e.0))));
+        *column = [x.1, y.1, z.1, spin[2][1], spin[0][2], spin[1][0]];
+    }
+    private::jacobian(columns)
+}
