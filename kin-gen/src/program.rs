@@ -151,7 +151,9 @@ impl Program {
         let mut program = Program { name, turns, steps, outputs };
         let flipped = signs::settle(&mut program);
         let label = |(id, flipped): (&Id, bool)| {
-            exprs.label_of(*id).map(|(name, negative)| Label { name: name.to_owned(), negative: negative != flipped })
+            exprs
+                .label_of(*id)
+                .map(|(name, negative)| Label { name: name.to_owned(), negative: negative != flipped })
         };
         let labels = order.iter().zip(flipped).map(label).collect();
         Namer::new(&exprs.ring, labels).name(&mut program);

@@ -8,11 +8,15 @@ use crate::algebra::frame::{Stretch, Values, axis_index, joint_turn};
 use crate::algebra::ring::{Poly, Ring, Var};
 use crate::algebra::vector::{self, M3, V3};
 use crate::chain::{Chain, Distance, JointKind, LengthAtom, Motion, ParamKind};
+use crate::number::Angle;
 
 /// Which variable of the ring stands for what. A function of the chain's shape alone.
 #[derive(Clone, Debug)]
 pub struct Symbols {
     joints: Vec<(JointKind, Var)>,
+    /// For each joint the constant that its cell adds to it, unless that is a multiple of a quarter turn: the joint's
+    /// pair is of the sum, so that an offset of 33.2 degrees does not double the terms of every polynomial.
+    shifts: Vec<Angle>,
     lengths: Vec<Var>,
     params: Vec<(ParamKind, Var)>,
     entries: Var,
@@ -37,6 +41,7 @@ impl Symbols {
                     JointKind::Prismatic => (joint.kind, take(1)),
                 })
                 .collect(),
+            shifts: (0..chain.joints.len()).map(|joint| shift(chain, joint)).collect(),
             lengths: chain.lengths.iter().map(|_| take(1)).collect(),
             params: chain
                 .params
@@ -113,14 +118,25 @@ impl Symbols {
 
     /// Cosine and sine of a sum of angles, expanded by the addition theorems.
     pub fn cos_sin(&self, ring: &mut Ring, turn: &Turn) -> (Poly, Poly) {
-        let mut sum = ring.constant_pair(turn.rest.constant);
+        let unshifted = turn.joints.iter().try_fold(turn.rest.constant, |constant, (coefficient, joint)| {
+            let shift = self.shifts.get(*joint).copied().unwrap_or_default();
+            constant.sub(shift.times(*coefficient)?)
+        });
+        let Some(constant) = unshifted else {
+            ring.exhaust();
+            return (Poly::zero(), Poly::zero());
+        };
+        let mut sum = ring.constant_pair(constant);
         let params = turn.rest.params.iter().filter_map(|(c, i)| self.params.get(*i).map(|(_, v)| (*c, *v)));
         let joints = turn.joints.iter().filter_map(|(c, j)| self.joints.get(*j).map(|(_, v)| (*c, *v)));
         for (coefficient, cosine) in joints.chain(params).collect::<Vec<_>>() {
             let cos = ring.var(cosine);
             let sin = ring.var(Var(cosine.0 + 1));
             let sin = if coefficient < 0 { sin.neg() } else { sin };
-            for _ in 0..coefficient.unsigned_abs().min(64) {
+            for _ in 0..coefficient.unsigned_abs() {
+                if ring.exhausted() {
+                    break;
+                }
                 let (c, s) = sum;
                 sum = (
                     ring.sub(&ring.mul(&c, &cos), &ring.mul(&s, &sin)),
@@ -150,6 +166,19 @@ impl Symbols {
             None => Poly::zero(),
         }
     }
+}
+
+/// The constant part of a revolute joint's cell, in the sense of the row value; 0 for quarter turns.
+fn shift(chain: &Chain, joint: usize) -> Angle {
+    for element in &chain.elements {
+        if let Motion::Revolute { joint: found, reversed, offset } = &element.motion
+            && *found == joint
+            && offset.constant.quarters().is_none()
+        {
+            return if *reversed { offset.constant.neg() } else { offset.constant };
+        }
+    }
+    Angle::zero()
 }
 
 /// The name of an entry of a given pose: `r11` … `r33` by rows, then `px`, `py`, `pz`.

@@ -53,7 +53,8 @@ fn subject(text: &str) -> Subject {
     let chain = chain(text);
     let arm = model::derive(&chain).expect("derived and proved");
     let (mut ring, symbols) = (arm.ring.clone(), arm.symbols.clone());
-    let raw = truth::walk(&mut ring, &symbols, &chain, Values::Commanded, &truth::whole(&chain)).expect("representable");
+    let raw = truth::walk(&mut ring, &symbols, &chain, Values::Commanded, &truth::whole(&chain))
+        .expect("representable");
     let tip: Vec<Poly> = raw.tip.rotation.iter().flatten().chain(&raw.tip.position).cloned().collect();
     let columns = truth::jacobian(&ring, &symbols, &chain, &raw);
     let columns: Vec<Poly> = columns.into_iter().flatten().collect();
@@ -98,7 +99,10 @@ fn corrupt(program: &mut Program, random: &mut Sampler) -> &'static str {
                 return "operand";
             }
             (4, Op::Constant(meaning, value)) => {
-                step.op = Op::Constant(meaning, if random.below(2) == 0 { value * 1.0625 } else { value.next_up() });
+                step.op = Op::Constant(
+                    meaning,
+                    if random.below(2) == 0 { value * 1.0625 } else { value.next_up() },
+                );
                 return "constant";
             }
             (4, Op::Cos(turn)) => {
@@ -148,7 +152,10 @@ fn every_corruption_that_changes_a_value_is_rejected() {
     }
     println!("{changed} corruptions changed a value, {neutral} did not; by kind {kinds:?}");
     assert!(changed > 800, "most corruptions must matter: {changed}");
-    assert!(["sign", "operand", "constant"].iter().all(|k| kinds.get(k).is_some_and(|n| *n > 50)), "{kinds:?}");
+    assert!(
+        ["sign", "operand", "constant"].iter().all(|k| kinds.get(k).is_some_and(|n| *n > 50)),
+        "{kinds:?}"
+    );
 }
 
 #[test]

@@ -138,8 +138,8 @@ impl Poly {
 /// What a variable stands for.
 #[derive(Clone, PartialEq, Debug)]
 pub enum VarKind {
-    /// A constant with its value.
-    Constant(Scalar),
+    /// A constant.
+    Constant,
     /// The cosine (then the next variable is the sine) of a constant angle.
     ConstantPair(Angle),
     /// The cosine (then the next variable is the sine) of something that varies.
@@ -156,6 +156,8 @@ pub enum VarKind {
 struct VarInfo {
     name: String,
     kind: VarKind,
+    /// The value, of a constant.
+    value: Option<Scalar>,
 }
 
 /// The variables and the work done so far. A result is trustworthy only while [`Ring::exhausted`] is false.
@@ -186,40 +188,40 @@ impl Ring {
         self.work.get()
     }
 
-    fn push(&mut self, name: String, kind: VarKind) -> Var {
+    /// Gives up: nothing that this ring says may be believed any more.
+    pub fn exhaust(&self) {
+        self.exhausted.set(true);
+    }
+
+    fn push(&mut self, name: String, kind: VarKind, value: Option<Scalar>) -> Var {
         if self.vars.len() >= MAX_VARS {
             self.exhausted.set(true);
             return Var(0);
         }
         let var = Var(self.vars.len() as u8);
-        let constant = match kind {
-            VarKind::Constant(_) | VarKind::ConstantPair(_) => true,
-            VarKind::Sine => matches!(self.vars.last().map(|v| &v.kind), Some(VarKind::ConstantPair(_))),
-            VarKind::Pair | VarKind::Param(_) | VarKind::Free => false,
-        };
         if kind == VarKind::Sine {
             self.sine_squares = self.sine_squares.united(Monomial::of(var, 2));
         }
-        if !constant {
+        if value.is_none() {
             self.varying = self.varying.united(Monomial::of(var, 15));
         }
-        self.vars.push(VarInfo { name, kind });
+        self.vars.push(VarInfo { name, kind, value });
         var
     }
 
     /// A new constant with its value.
     pub fn constant(&mut self, name: impl Into<String>, value: Scalar) -> Var {
-        self.push(name.into(), VarKind::Constant(value))
+        self.push(name.into(), VarKind::Constant, Some(value))
     }
 
     /// A new variable.
     pub fn free(&mut self, name: impl Into<String>) -> Var {
-        self.push(name.into(), VarKind::Free)
+        self.push(name.into(), VarKind::Free, None)
     }
 
     /// A new variable that is a length parameter.
     pub fn param(&mut self, name: impl Into<String>, index: usize) -> Var {
-        self.push(name.into(), VarKind::Param(index))
+        self.push(name.into(), VarKind::Param(index), None)
     }
 
     /// The name of a length parameter.
@@ -242,7 +244,8 @@ impl Ring {
 
     /// A new (cosine, sine) pair of something that varies, named `c…` and `s…`.
     pub fn pair(&mut self, suffix: &str) -> (Var, Var) {
-        (self.push(format!("c{suffix}"), VarKind::Pair), self.push(format!("s{suffix}"), VarKind::Sine))
+        let cos = self.push(format!("c{suffix}"), VarKind::Pair, None);
+        (cos, self.push(format!("s{suffix}"), VarKind::Sine, None))
     }
 
     /// Cosine and sine of a constant angle: exact for quarter turns, else the pair of that angle, made on first use.
@@ -260,8 +263,9 @@ impl Ring {
             None => {
                 let count = self.vars.iter().filter(|v| matches!(v.kind, VarKind::ConstantPair(_))).count();
                 let suffix = format!("φ{}", count + 1);
-                let var = self.push(format!("c{suffix}"), VarKind::ConstantPair(key));
-                self.push(format!("s{suffix}"), VarKind::Sine);
+                let (sin, cos) = key.sin_cos();
+                let var = self.push(format!("c{suffix}"), VarKind::ConstantPair(key), Some(cos.into()));
+                self.push(format!("s{suffix}"), VarKind::Sine, Some(sin.into()));
                 usize::from(var.0)
             }
         };
@@ -460,17 +464,9 @@ impl Ring {
             }
             let mut product = Scalar::Exact(crate::number::Ratio::integer(c));
             for (index, info) in self.vars.iter().enumerate() {
-                let factor = match &info.kind {
-                    VarKind::Constant(value) => *value,
-                    VarKind::ConstantPair(angle) => Scalar::Real(angle.sin_cos().1),
-                    VarKind::Sine => match index.checked_sub(1).map(|i| &self.vars[i].kind) {
-                        Some(VarKind::ConstantPair(angle)) => Scalar::Real(angle.sin_cos().0),
-                        _ => continue,
-                    },
-                    VarKind::Pair | VarKind::Param(_) | VarKind::Free => continue,
-                };
-                for _ in 0..m.exponent(Var(index as u8)) {
-                    product = times(product, factor);
+                let exponent = m.exponent(Var(index as u8));
+                if let (1.., Some(value)) = (exponent, info.value) {
+                    product = (0..exponent).fold(product, |product, _| times(product, value));
                 }
             }
             sum = plus(sum, product);

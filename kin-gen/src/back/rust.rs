@@ -378,7 +378,8 @@ impl Printer<'_> {
 
     fn linear_map(&self, text: &mut String, doc: &str, name: &str, argument: &str, matrix: &[Vec<i64>]) {
         let (krate, n) = (self.krate, self.count());
-        let identity = |(i, row): (usize, &Vec<i64>)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j));
+        let identity =
+            |(i, row): (usize, &Vec<i64>)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j));
         line!(text, "/// {doc}");
         line!(text, "fn {name}<T: {krate}::Real>(&self, {argument}: [T; {n}]) -> [T; {n}] {{");
         if matrix.iter().enumerate().all(identity) {

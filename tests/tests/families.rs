@@ -1,0 +1,182 @@
+//! The shared solver on arms that nobody declared: any member of the family, not only the ones people build.
+
+use kin_runtime::prelude::*;
+use tests::interpreted::Interpreted;
+use tests::sample::Sampler;
+
+const ARMS: usize = 60;
+const POSES: usize = 30;
+
+/// A random number with a few digits, of either sign, never near zero.
+fn length(random: &mut Sampler) -> String {
+    let sign = if random.below(2) == 0 { "-" } else { "" };
+    format!("{sign}{:.3}", random.between(0.1, 1.2))
+}
+
+fn maybe_length(random: &mut Sampler) -> String {
+    if random.below(2) == 0 { "0".to_owned() } else { length(random) }
+}
+
+/// A quarter turn, or now and then any other twist that is far from 0 and 180.
+fn twist(random: &mut Sampler) -> String {
+    match random.below(4) {
+        0 => format!("{:.1}", random.between(35.0, 145.0)),
+        1 | 2 => "90".to_owned(),
+        _ => "-90".to_owned(),
+    }
+}
+
+/// `q`, `-q`, with or without an offset.
+fn moving(random: &mut Sampler, largest: f64) -> String {
+    let joint = if random.below(4) == 0 { "-q" } else { "q" };
+    match random.below(3) {
+        0 => joint.to_owned(),
+        1 => format!("{joint} + 90"),
+        _ => format!("{joint} - {:.2}", random.between(0.1, largest)),
+    }
+}
+
+fn extras(random: &mut Sampler) -> String {
+    let mut text = String::new();
+    if random.below(3) == 0 {
+        text.push_str(&format!(
+            "base: Tx({}) Rx(180) Rz({:.1});\n",
+            length(random),
+            random.between(-90.0, 90.0)
+        ));
+    }
+    if random.below(3) == 0 {
+        text.push_str(&format!("tool: Tz({}) Tx({}) Ry({:.1});\n", length(random), length(random), 37.5));
+    }
+    text
+}
+
+/// A standard table with axes 2 and 3 parallel and the last three axes through one point.
+fn elbow_arm(random: &mut Sampler) -> String {
+    let theta: Vec<String> = (0..6).map(|_| moving(random, 170.0)).collect();
+    let flip = ["0", "180"][random.below(2)];
+    let (t1, t3, t4, t5) = (twist(random), twist(random), twist(random), twist(random));
+    let (d1, a1, d2, a2) = (maybe_length(random), maybe_length(random), maybe_length(random), length(random));
+    let (d3, a3, d4, d6) = (maybe_length(random), maybe_length(random), length(random), maybe_length(random));
+    let fixed = if random.below(3) == 0 { "|  | 0 | 0.25 | 0 | 0 |\n" } else { "" };
+    let couple = ["", "couple: J3 -= J2;\n", "couple: J3 += J2, J6 -= J5;\n"][random.below(3)];
+    let extras = extras(random);
+    format!(
+        "struct Any(standard, m, deg);
+| joint | theta | d    | a    | alpha |
+| J1 | {} | {d1} | {a1} | {t1} |
+{fixed}| J2 | {} | {d2} | {a2} | {flip} |
+| J3 | {} | {d3} | {a3} | {t3} |
+| J4 | {} | {d4} | 0 | {t4} |
+| J5 | {} | 0 | 0 | {t5} |
+| J6 | {} | {d6} | {} | {:.1} |
+{couple}{extras}",
+        theta[0],
+        theta[1],
+        theta[2],
+        theta[3],
+        theta[4],
+        theta[5],
+        maybe_length(random),
+        random.between(-180.0, 180.0),
+    )
+}
+
+/// A table with two revolute joints and a slide at right angles to axis 2.
+fn telescope_arm(random: &mut Sampler) -> String {
+    let slide = ["q", "-q", "q + 0.2", "0.3 - q"][random.below(4)];
+    let quarter = ["90", "-90"][random.below(2)];
+    let (t1, t4, t5) = (twist(random), twist(random), twist(random));
+    let theta: Vec<String> = (0..5).map(|_| moving(random, 170.0)).collect();
+    let (d1, a1, d2, a2) =
+        (maybe_length(random), maybe_length(random), maybe_length(random), maybe_length(random));
+    let (a3, d6, extras) = (maybe_length(random), maybe_length(random), extras(random));
+    format!(
+        "struct Any(standard, m, deg);
+| joint | theta | d    | a    | alpha |
+| J1 | {} | {d1} | {a1} | {t1} |
+| J2 | {} | {d2} | {a2} | {quarter} |
+| J3 | 25 | {slide} | {a3} | 0 |
+| J4 | {} | 0 | 0 | {t4} |
+| J5 | {} | 0 | 0 | {t5} |
+| J6 | {} | {d6} | 0 | 0 |
+{extras}",
+        theta[0], theta[1], theta[2], theta[3], theta[4],
+    )
+}
+
+/// The largest entry of the difference, lengths divided by the reach.
+fn miss(a: &Pose<f64>, b: &Pose<f64>, reach: f64) -> f64 {
+    let rotation = (a.rotation.matrix() - b.rotation.matrix()).amax();
+    rotation.max((a.translation.vector - b.translation.vector).amax() / reach)
+}
+
+fn distance(a: &Joints<f64, 6>, b: &Joints<f64, 6>, slides: bool) -> f64 {
+    let wrapped = |i: usize| {
+        let d = a[i] - b[i];
+        if slides && i == 2 {
+            d
+        } else {
+            (d + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI
+        }
+    };
+    (0..6).map(|i| wrapped(i).abs()).fold(0.0, f64::max)
+}
+
+struct Worst {
+    residual: f64,
+    found: usize,
+    solutions: usize,
+}
+
+fn try_arm<const SLIDES: bool>(text: &str, random: &mut Sampler, worst: &mut Worst) {
+    let derived = kin_gen::compile_text(text).unwrap_or_else(|messages| panic!("{text}\n{messages}"));
+    let arm = Interpreted::<SLIDES>::new(derived).unwrap_or_else(|| panic!("not recognised:\n{text}"));
+    let reach = arm.reach();
+    for _ in 0..POSES {
+        let mut values = random.angles::<6>();
+        if SLIDES {
+            values[2] = random.between(-1.5, 1.5);
+        }
+        let q = Joints::from(values);
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        for solution in solutions.iter() {
+            let residual = miss(&arm.fk(&solution.q), &pose, reach);
+            assert!(residual <= 1e-14, "{residual:e} at {values:?}, {}\n{text}", solution.branch);
+            worst.residual = worst.residual.max(residual);
+        }
+        let all: Vec<_> = solutions.iter().map(|s| s.q).collect();
+        let nearest = all.iter().map(|s| distance(s, &q, SLIDES)).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-6, "lost {values:?} (nearest {nearest:e})\n{solutions}\n{text}");
+        for (i, a) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|b| distance(a, b, SLIDES) > 1e-7), "twice the same\n{text}");
+        }
+        worst.found += 1;
+        worst.solutions += all.len();
+    }
+}
+
+#[test]
+fn any_elbow_arm_with_a_spherical_wrist() {
+    let mut random = Sampler::new(3);
+    let mut worst = Worst { residual: 0.0, found: 0, solutions: 0 };
+    for _ in 0..ARMS {
+        let text = elbow_arm(&mut random);
+        try_arm::<false>(&text, &mut random, &mut worst);
+    }
+    println!("{} poses, {} solutions, worst residual {:e}", worst.found, worst.solutions, worst.residual);
+    assert_eq!(worst.found, ARMS * POSES);
+}
+
+#[test]
+fn any_telescope_arm_with_a_spherical_wrist() {
+    let mut random = Sampler::new(4);
+    let mut worst = Worst { residual: 0.0, found: 0, solutions: 0 };
+    for _ in 0..ARMS {
+        let text = telescope_arm(&mut random);
+        try_arm::<true>(&text, &mut random, &mut worst);
+    }
+    println!("{} poses, {} solutions, worst residual {:e}", worst.found, worst.solutions, worst.residual);
+    assert_eq!(worst.found, ARMS * POSES);
+}
