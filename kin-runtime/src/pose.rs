@@ -110,10 +110,11 @@ impl<T: Float> GimbalLock<T> {
     }
 }
 
-impl<T: fmt::Display> fmt::Display for EulerZyx<T> {
+impl<T: Float> fmt::Display for EulerZyx<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = f.precision().unwrap_or(4);
-        write!(f, "zyx({:.digits$}, {:.digits$}, {:.digits$})", self.z, self.y, self.x)
+        let [z, y, x] = [self.z, self.y, self.x].map(|angle| plain(angle, digits));
+        write!(f, "zyx({z:.digits$}, {y:.digits$}, {x:.digits$})")
     }
 }
 
@@ -122,12 +123,18 @@ impl<T: Float> fmt::Display for Euler<T> {
         let digits = f.precision().unwrap_or(4);
         match self {
             Euler::Regular(angles) => write!(f, "{angles:.digits$}"),
-            Euler::GimbalLock(lock) if lock.up => {
-                write!(f, "gimbal lock: y = pi/2, x - z = {:.digits$}", lock.turn)
+            Euler::GimbalLock(lock) => {
+                let (y, sign) = if lock.up { ("pi/2", '-') } else { ("-pi/2", '+') };
+                write!(f, "gimbal lock: y = {y}, x {sign} z = {:.digits$}", plain(lock.turn, digits))
             }
-            Euler::GimbalLock(lock) => write!(f, "gimbal lock: y = -pi/2, x + z = {:.digits$}", lock.turn),
         }
     }
+}
+
+/// Zero for what the given number of decimals would show as `-0.0000`.
+pub(crate) fn plain<T: Float>(value: T, digits: usize) -> T {
+    let half_unit = (0..digits.min(16)).fold(0.5, |unit, _| unit * 0.1);
+    if math::abs(value) < T::lit(half_unit) { T::lit(0.0) } else { value }
 }
 
 /// A pose from the rows of its rotation matrix and its position.

@@ -25,6 +25,9 @@ pub mod spherical_wrist;
 pub mod target;
 pub mod wrist;
 
+#[cfg(test)]
+mod tests;
+
 pub use base::{Base, ElbowBase, TelescopeBase};
 pub use wrist::{Wrist, WristFamily};
 

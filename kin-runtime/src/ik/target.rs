@@ -32,11 +32,12 @@ impl<T: Float> Target<T> {
     pub fn missed_by(&self, other: &Pose<T>) -> T {
         let (rotation, position) = pose::rows(&self.pose);
         let (other_rotation, other_position) = pose::rows(other);
-        let mut worst = distance(&position, &other_position) / self.scale;
-        for (row, other_row) in rotation.iter().zip(&other_rotation) {
-            worst = math::max(distance(row, other_row), worst);
-        }
-        worst
+        let [x, y, z] = rotation;
+        let [other_x, other_y, other_z] = other_rotation;
+        let turned = [distance(&x, &other_x), distance(&y, &other_y), distance(&z, &other_z)];
+        let zero = T::lit(0.0);
+        let shifted = distance(&position, &other_position) / self.scale;
+        distance(&[distance(&turned, &[zero; 3]), shifted, zero], &[zero; 3])
     }
 }
 
@@ -56,11 +57,16 @@ pub fn size<T: Float>(position: &[T; 3], reach: T) -> Result<T, Reason<T>> {
     Ok(math::max(largest, reach))
 }
 
-/// The largest difference between two triples; NaN if an entry is, so that a NaN is never taken for a hit.
+/// The largest difference between two triples; NaN if there is one, so that a NaN is never taken for a hit.
 pub fn distance<T: Float>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
-    let (dx, dy, dz) = (math::abs(*a - *x), math::abs(*b - *y), math::abs(*c - *z));
-    // `max` gives its second argument where there is no order; the sum carries a NaN through.
-    math::max(dx, math::max(dy, math::max(dz, T::lit(0.0) * (dx + dy + dz))))
+    let mut largest = T::lit(0.0);
+    for difference in [*a - *x, *b - *y, *c - *z] {
+        // A NaN is larger than everything here, and nothing is larger than it.
+        if math::abs(difference) > largest || difference != difference {
+            largest = math::abs(difference);
+        }
+    }
+    largest
 }
 
 /// Whether a residual is round-off.

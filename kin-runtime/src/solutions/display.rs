@@ -1,8 +1,8 @@
 //! The sentences: those that the program of seed 000 prints (its sections 5 and 6), each followed by our numbers.
 
 use super::{Boundary, Branch, Constraint, Family, JointSet, Reason, Singularity, Slot, Solution, Solutions};
-use crate::math::{self, Float};
-use crate::pose;
+use crate::math::Float;
+use crate::pose::{self, plain};
 use core::fmt;
 
 /// `theta4 and theta6`, `theta1, theta4 and theta6`; the words of the report.
@@ -122,12 +122,6 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
     }
 }
 
-/// Zero for what the given number of decimals would show as `-0.0000`.
-fn plain<T: Float>(value: T, digits: usize) -> T {
-    let half_unit = (0..digits.min(16)).fold(0.5, |unit, _| unit * 0.1);
-    if math::abs(value) < T::lit(half_unit) { T::lit(0.0) } else { value }
-}
-
 /// Writes the joint values in columns of the given number of decimals.
 fn write_joints<T: Float, const N: usize, B>(
     f: &mut fmt::Formatter<'_>,
@@ -186,11 +180,14 @@ impl<T: Float, const N: usize, B: Branch> fmt::Display for Solutions<T, N, B> {
             }
         }
         let digits = f.precision().unwrap_or(4);
-        for (branch, slot) in self.branches() {
+        for (count, (branch, slot)) in self.branches().enumerate() {
+            if count > 0 {
+                writeln!(f)?;
+            }
             match slot {
-                Slot::Solved(solution) => writeln!(f, "{solution:.digits$}")?,
-                Slot::Merged { with } => writeln!(f, "{branch:<18}  the same as {with}")?,
-                Slot::Empty(_) => writeln!(f, "{branch:<18}  none")?,
+                Slot::Solved(solution) => write!(f, "{solution:.digits$}")?,
+                Slot::Merged { with } => write!(f, "{branch:<18}  the same as {with}")?,
+                Slot::Empty(_) => write!(f, "{branch:<18}  none")?,
             }
         }
         Ok(())

@@ -9,6 +9,8 @@ mod family;
 mod reason;
 #[cfg(feature = "serde")]
 mod stored;
+#[cfg(test)]
+mod tests;
 
 pub use branch::{ArmPosture, Bend, Branch, Elbow, Posture, Shoulder};
 pub(crate) use family::Free;
@@ -216,28 +218,39 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         if self.sliding.contains(joint) { JointKind::Prismatic } else { JointKind::Revolute }
     }
 
+    /// Whether no joint of two vectors differs by more than the tolerance; most differ in the first.
+    fn same(&self, a: &Joints<T, N>, b: &Joints<T, N>, tolerance: T) -> bool {
+        let mut joints = pose::entries(a).into_iter().zip(pose::entries(b)).enumerate();
+        joints.all(|(joint, (a, b))| math::abs(self.difference(joint, a, b)) <= tolerance)
+    }
+
+    /// The way of one joint from `b` to `a`: the short way round for an angle.
+    fn difference(&self, joint: usize, a: T, b: T) -> T {
+        match self.kind(joint) {
+            JointKind::Prismatic => a - b,
+            JointKind::Revolute => math::wrap(a - b),
+        }
+    }
+
     /// How far the joints move from one vector to another.
-    pub(crate) fn step(&self, from: &Joints<T, N>, to: &Joints<T, N>) -> Move<T> {
+    fn step(&self, from: &Joints<T, N>, to: &Joints<T, N>) -> Move<T> {
         let mut step = Move { largest: T::lit(0.0), sum: T::lit(0.0) };
         for (joint, (a, b)) in pose::entries(from).into_iter().zip(pose::entries(to)).enumerate() {
-            let difference = match self.kind(joint) {
-                JointKind::Prismatic => a - b,
-                JointKind::Revolute => math::wrap(a - b),
-            };
-            step.largest = math::max(step.largest, math::abs(difference));
-            step.sum = step.sum + math::abs(difference);
+            let way = math::abs(self.difference(joint, a, b));
+            step.largest = math::max(step.largest, way);
+            step.sum = step.sum + way;
         }
         step
     }
 
     /// Empties each slot whose joints are those of an earlier one, and says so.
     pub(crate) fn merge(&mut self, reach: T) {
-        let same = tolerance::<T>();
+        let tolerance = tolerance::<T>() * self.unit(reach);
         for (count, branch) in B::ALL.iter().enumerate() {
             let Slot::Solved(later) = *self.get(*branch) else { continue };
             for earlier in B::ALL.iter().take(count) {
                 let Slot::Solved(first) = *self.get(*earlier) else { continue };
-                if self.step(&first.q, &later.q).largest <= same * self.unit(reach) {
+                if self.same(&first.q, &later.q, tolerance) {
                     self.put(*branch, Slot::Merged { with: *earlier });
                     break;
                 }
@@ -257,9 +270,9 @@ fn tolerance<T: Float>() -> T {
 }
 
 /// How far the joints move, the largest first.
-#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
-pub(crate) struct Move<T> {
-    pub(crate) largest: T,
+#[derive(Clone, Copy, Debug)]
+struct Move<T> {
+    largest: T,
     sum: T,
 }
 

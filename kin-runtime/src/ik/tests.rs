@@ -1,0 +1,260 @@
+//! The solvers against arms that are plain products of matrices: what was put in comes out, wherever the arm stands.
+
+use crate::ik::ACCEPTED;
+use crate::math;
+use crate::pose::{self, Joints, Pose};
+use crate::private::SolveWrist;
+use crate::sample::{Figures, LAB_ARM, LabRrr, PUMA_560, Random, STANFORD_ARM};
+use crate::{
+    Arm, Boundary, EulerZyx, Float, InverseKinematics, Point3, PositionInverse, Posture, Reason, Slot,
+    Solutions, dexterity,
+};
+use core::f64::consts::{FRAC_PI_2, PI};
+
+const EPS: f64 = f64::EPSILON;
+
+/// The largest joint difference, angles modulo a turn.
+fn apart<T: Float, const N: usize, A: Arm<N>>(_: &A, a: &Joints<T, N>, b: &Joints<T, N>) -> T {
+    let mut largest = T::lit(0.0);
+    for ((x, y), joint) in pose::entries(a).into_iter().zip(pose::entries(b)).zip(A::JOINTS) {
+        let slides = joint.kind == crate::JointKind::Prismatic;
+        largest = math::max(largest, math::abs(if slides { x - y } else { math::wrap(x - y) }));
+    }
+    largest
+}
+
+fn random_joints<T: Float, A: Arm<6>>(_: &A, random: &mut Random) -> Joints<T, 6> {
+    let slides = A::JOINTS.map(|joint| joint.kind == crate::JointKind::Prismatic);
+    pose::column(slides.map(|slides| T::lit(if slides { random.within(-1.0, 1.0) } else { random.angle() })))
+}
+
+/// What holds for every answer to a reachable pose.
+fn judge<T: Float, A>(arm: &A, q: &Joints<T, 6>, worst: f64) -> Solutions<T, 6, Posture>
+where
+    A: InverseKinematics<6, Branch = Posture>,
+{
+    let pose = arm.fk(q);
+    let solutions = arm.ik(&pose);
+    let mut nearest = T::lit(1e9);
+    for solution in solutions.iter() {
+        assert!(solution.residual <= T::lit(worst) * T::EPS, "{:?}", solution.residual);
+        assert!(pose::entries(&solution.q).iter().all(|x| math::is_finite(*x)));
+        nearest = math::min(nearest, apart(arm, &solution.q, q));
+        for other in solutions.iter().take_while(|other| other.branch != solution.branch) {
+            assert!(apart(arm, &solution.q, &other.q) > T::lit(6.0) * math::sqrt(T::EPS), "{solutions}");
+        }
+    }
+    if solutions.iter().any(|solution| !solution.is_isolated()) {
+        for member in arm.ik_holding(&pose, q).iter() {
+            assert!(member.residual <= T::lit(ACCEPTED) * T::EPS);
+            nearest = math::min(nearest, apart(arm, &member.q, q));
+        }
+    }
+    // Rounding of the pose itself moves the joints by ε / margin.
+    let margin = dexterity(arm, q).margin;
+    assert!(nearest <= T::lit(100.0) * T::EPS / margin, "{nearest:?}, margin {margin:?}, {q:?}\n{solutions}");
+    solutions
+}
+
+#[test]
+fn random_poses_give_their_joints_back() {
+    let mut random = Random(1);
+    for _ in 0..400 {
+        let q = random_joints(&LAB_ARM, &mut random);
+        judge::<f64, _>(&LAB_ARM, &q, 8.0);
+        let q = random_joints(&PUMA_560, &mut random);
+        assert_eq!(judge::<f64, _>(&PUMA_560, &q, 8.0).len(), 8);
+        let q = random_joints(&STANFORD_ARM, &mut random);
+        assert_eq!(judge::<f64, _>(&STANFORD_ARM, &q, 8.0).len(), 8);
+        let arm = Figures::<false>::random(&mut random, true);
+        judge::<f64, _>(&arm, &random_joints(&arm, &mut random), 16.0);
+        let arm = Figures::<true>::random(&mut random, true);
+        judge::<f64, _>(&arm, &random_joints(&arm, &mut random), 16.0);
+    }
+}
+
+#[test]
+fn single_precision_gives_its_joints_back() {
+    let mut random = Random(2);
+    for _ in 0..400 {
+        judge::<f32, _>(&LAB_ARM, &random_joints(&LAB_ARM, &mut random), 8.0);
+        judge::<f32, _>(&PUMA_560, &random_joints(&PUMA_560, &mut random), 8.0);
+        judge::<f32, _>(&STANFORD_ARM, &random_joints(&STANFORD_ARM, &mut random), 8.0);
+        let arm = Figures::<false>::random(&mut random, true);
+        judge::<f32, _>(&arm, &random_joints(&arm, &mut random), 16.0);
+    }
+}
+
+#[test]
+fn oblique_wrists_give_their_joints_back() {
+    let mut random = Random(3);
+    let mut arm = Figures::<false>::random(&mut random, false);
+    // Twists of 60° and 50°, as they are built.
+    let [sixty, fifty] = [60_f64, 50.0].map(|twist| crate::sample::about_x(twist.to_radians()));
+    arm.between = Some([sixty, fifty]);
+    for _ in 0..400 {
+        judge::<f64, _>(&arm, &random_joints(&arm, &mut random), 16.0);
+    }
+    for _ in 0..400 {
+        let arm = Figures::<false>::random(&mut random, false);
+        judge::<f64, _>(&arm, &random_joints(&arm, &mut random), 40.0);
+    }
+}
+
+/// Ten to a random power down to 1e-17, either sign; sometimes nothing at all.
+fn small(random: &mut Random) -> f64 {
+    let exponent = random.within(0.0, 18.0);
+    let size = if exponent > 17.0 { 0.0 } else { libm_pow10(-exponent) };
+    if random.coin() { size } else { -size }
+}
+
+/// 10^x for x in (-18, 0], well enough.
+fn libm_pow10(x: f64) -> f64 {
+    let (mut power, mut left) = (1.0, -x);
+    while left >= 1.0 {
+        (power, left) = (power * 0.1, left - 1.0);
+    }
+    power * (1.0 - 0.9 * left)
+}
+
+/// Joints at, or within a power of ten of, the singular sets that `aim` names.
+fn aimed<const SLIDE: bool>(arm: &Figures<SLIDE>, aim: u8, random: &mut Random) -> Joints<f64, 6> {
+    let mut psi = [(); 6].map(|()| random.angle());
+    let half_turn = |random: &mut Random| if random.coin() { PI } else { 0.0 };
+    if SLIDE {
+        psi[2] = random.within(0.3, 1.0);
+    }
+    if aim & 1 != 0 {
+        psi[4] = half_turn(random) + small(random);
+    }
+    if aim & 2 != 0 {
+        psi[2] = small(random) + if SLIDE { 0.0 } else { half_turn(random) };
+    }
+    if aim & 4 != 0 {
+        // The arm's plane meets the wrist centre at the foot of the common normal, where both shoulders are one.
+        let ([first, second], (s3, c3)) = (arm.links, math::sin_cos(psi[2]));
+        let (x, y) = if SLIDE { (first, psi[2]) } else { (first + second * c3, second * s3) };
+        let (distance, direction) = (math::hypot(x, y), math::atan2(y, x));
+        if distance > arm.a1 {
+            let lean = math::atan2(math::sqrt((distance - arm.a1) * (distance + arm.a1)), -arm.a1);
+            psi[1] = if random.coin() { lean } else { -lean } - direction + small(random);
+        }
+    }
+    let mut rows = psi;
+    for (row, (offset, reversed)) in rows.iter_mut().zip(arm.offset.iter().zip(arm.reversed)) {
+        *row = if reversed { offset - *row } else { *row - offset };
+    }
+    pose::column(arm.command(rows))
+}
+
+fn singular_sets<const SLIDE: bool>(seed: u64) {
+    let mut random = Random(seed);
+    for aim in 0..8 {
+        for _ in 0..300 {
+            let mut arm = Figures::<SLIDE>::random(&mut random, true);
+            if random.coin() {
+                (arm.lateral, arm.twist) = (0.0, FRAC_PI_2);
+            }
+            // A slide that passes through axis 2 and an arm whose wrist comes near the axes at once would have two
+            // folds in one corner, where the pose no longer tells the joints apart.
+            if !SLIDE && random.coin() {
+                arm.links[1] = arm.links[0];
+            }
+            let q = aimed(&arm, aim, &mut random);
+            assert!(!judge::<f64, _>(&arm, &q, 18.0).is_empty());
+        }
+    }
+}
+
+#[test]
+fn nothing_is_lost_at_or_near_the_singular_sets() {
+    singular_sets::<false>(4);
+}
+
+#[test]
+fn nothing_is_lost_near_the_singular_sets_of_a_slide() {
+    singular_sets::<true>(5);
+}
+
+#[test]
+fn a_boundary_pose_is_reached_and_one_beyond_it_is_not() {
+    let level = EulerZyx { z: 0.0, y: 0.0, x: 0.0 };
+    let stretched = PUMA_560.fk(&pose::column([0.3, 0.2, -math::atan2(0.4318, 0.0203), 0.1, 0.5, 0.2]));
+    let solutions = PUMA_560.ik(&stretched);
+    assert_eq!(solutions.iter().count(), 4, "{solutions}");
+    // Seed 000, 6.5: 3.4e-10 mm too far, in an arm of 420 mm.
+    assert_eq!(LAB_ARM.ik(&level.at([-30.0, 0.0, 372.5294643])).len(), 4);
+    let beyond = LAB_ARM.ik(&level.at([-30.0, 0.0, 372.52946438]));
+    assert!(beyond.is_empty());
+    let reasons = beyond.slots().iter().filter(|slot| {
+        matches!(slot, Slot::Empty(Reason::OutOfReach { by, towards: Boundary::OuterCircle, theta1: Some(_) })
+            if *by > 3.3e-10)
+    });
+    assert_eq!(reasons.count(), 8);
+    for far in [1e3, 1e6, 1e9, 1e18, 1e200, f64::MAX] {
+        let solutions = LAB_ARM.ik(&level.at([far, 0.0, far]));
+        let far_away = |slot: &Slot<f64, 6, Posture>| matches!(slot, Slot::Empty(Reason::OutOfReach { by, .. }) if *by > 0.5 * far && by.is_finite());
+        assert!(solutions.slots().iter().all(far_away), "{solutions}");
+    }
+}
+
+#[test]
+fn every_bit_pattern_has_a_typed_answer() {
+    let mut random = Random(6);
+    for _ in 0..2_000 {
+        let mut entry = || f64::from_bits(random.bits());
+        let rotation = [(); 3].map(|()| [(); 3].map(|()| entry()));
+        let solutions = PUMA_560.ik(&pose::from_rows(rotation, [(); 3].map(|()| entry())));
+        assert!(solutions.is_empty());
+        // A true rotation with a wild position.
+        let pose = pose::from_rows(random.rotation(), [(); 3].map(|()| f64::from_bits(random.bits())));
+        for solution in PUMA_560.ik(&pose).iter().chain(STANFORD_ARM.ik(&pose).iter()) {
+            assert!(solution.residual <= ACCEPTED * EPS && solution.q.iter().all(|x| x.is_finite()));
+        }
+    }
+}
+
+#[test]
+fn what_is_not_a_rotation_is_said_so_and_what_nearly_is_one_is_mended() {
+    let q = pose::column([0.3, 0.5, -0.2, 0.4, 0.6, -0.9]);
+    let (r, p) = pose::rows(&PUMA_560.fk(&q));
+    let reason = |pose: Pose<f64>| *PUMA_560.ik(&pose).slots().first().unwrap();
+    let scaled = r.map(|row| row.map(|x| 1.01 * x));
+    assert!(matches!(
+        reason(pose::from_rows(scaled, p)),
+        Slot::Empty(Reason::NotARotation { defect }) if (defect - 0.0201).abs() < 1e-6
+    ));
+    let [x, y, z] = r;
+    assert_eq!(
+        reason(pose::from_rows([y, x, z], p)),
+        Slot::Empty(Reason::NotARotation { defect: 2.0 }),
+        "left-handed"
+    );
+    assert_eq!(reason(pose::from_rows(r, [f64::NAN, 0.0, 0.0])), Slot::Empty(Reason::NotFinite));
+    assert_eq!(reason(pose::from_rows([x, [f64::INFINITY; 3], z], p)), Slot::Empty(Reason::NotFinite));
+    let rounded = r.map(|row| row.map(|x| f64::from(x as f32)));
+    let solutions = PUMA_560.ik(&pose::from_rows(rounded, p));
+    assert_eq!(solutions.len(), 8);
+    assert!(solutions.iter().any(|s| apart(&PUMA_560, &s.q, &q) < 1e-6));
+}
+
+#[test]
+fn the_four_inverse_solutions_of_seed_004() {
+    let point = Point3::new(0.219_725_290_871_839_4, 0.120_036_473_484_936_97, 0.231_931_395_572_870_48);
+    let solutions = LabRrr.ik_position(&point);
+    for expected in [[0.5, 0.5, -0.5], [0.5, 0.0, 0.5], [0.5 - PI, PI, -0.5], [0.5 - PI, PI - 0.5, 0.5]] {
+        let found = |q| apart(&LabRrr, q, &pose::column(expected)) < 1e-14;
+        assert!(solutions.iter().any(|s| found(&s.q)), "{solutions}");
+    }
+    assert_eq!(solutions.len(), 4);
+    let folded = LabRrr.ik_position(&Point3::new(0.0, 0.0, 0.168));
+    assert_eq!(folded.len(), 1, "{folded}");
+    let member = folded.iter().next().unwrap().families().last().unwrap().member_at(
+        &LabRrr,
+        &Point3::new(0.0, 0.0, 0.168),
+        0.7,
+    );
+    assert!(matches!(member, Slot::Solved(s) if s.q.y == 0.7 && s.residual < 8.0 * EPS));
+    let far = LabRrr.ik_position(&Point3::new(1.0_f32, 0.0, 0.168));
+    assert!(far.slots().iter().all(|slot| matches!(slot, Slot::Empty(Reason::OutOfReach { .. }))));
+}
