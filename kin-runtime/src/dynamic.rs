@@ -81,6 +81,8 @@ pub enum DynOutcome<'a> {
 
 /// An arm behind a reference: every arm that `dh!` declares is one. Joint values come and go as slices of
 /// [`DynArm::joints`]`.len()` numbers: radians, and lengths in [`DynArm::length_unit`].
+///
+/// The methods are not called as those of [`Arm`] are, so that both traits can be in scope.
 pub trait DynArm {
     /// The declared name.
     fn name(&self) -> &'static str;
@@ -91,27 +93,27 @@ pub trait DynArm {
     /// The declaration's own text.
     fn table(&self) -> &'static str;
     /// As [`Arm::reach`].
-    fn reach(&self) -> f64;
+    fn size(&self) -> f64;
     /// The declared range of a joint, counted from 0.
-    fn limits(&self, joint: usize) -> Option<(f64, f64)>;
+    fn limit(&self, joint: usize) -> Option<(f64, f64)>;
 
     /// The pose of the tool in the base frame.
     ///
     /// # Errors
     /// [`DynError::Joints`] if `q` has the wrong length.
-    fn fk(&self, q: &[f64]) -> Result<Pose<f64>, DynError>;
+    fn pose_at(&self, q: &[f64]) -> Result<Pose<f64>, DynError>;
 
     /// Writes the pose of each joint's frame into `frames`.
     ///
     /// # Errors
     /// [`DynError::Joints`] if `q` or `frames` has the wrong length.
-    fn frames(&self, q: &[f64], frames: &mut [Pose<f64>]) -> Result<(), DynError>;
+    fn frames_at(&self, q: &[f64], frames: &mut [Pose<f64>]) -> Result<(), DynError>;
 
     /// Writes the columns (vx, vy, vz, ωx, ωy, ωz) of the Jacobian into `columns`.
     ///
     /// # Errors
     /// [`DynError::Joints`] if `q` or `columns` has the wrong length.
-    fn jacobian(&self, q: &[f64], columns: &mut [[f64; 6]]) -> Result<(), DynError>;
+    fn jacobian_at(&self, q: &[f64], columns: &mut [[f64; 6]]) -> Result<(), DynError>;
 
     /// What the arm can be asked for joint values from.
     fn inverse(&self) -> Inverse;
@@ -120,13 +122,13 @@ pub trait DynArm {
     ///
     /// # Errors
     /// [`DynError::NoInverse`] unless [`DynArm::inverse`] is [`Inverse::Pose`].
-    fn ik(&self, pose: &Pose<f64>, visit: &mut dyn FnMut(DynSlot<'_>)) -> Result<(), DynError>;
+    fn solve_pose(&self, pose: &Pose<f64>, visit: &mut dyn FnMut(DynSlot<'_>)) -> Result<(), DynError>;
 
     /// Calls `visit` for each branch of the inverse kinematics of a position.
     ///
     /// # Errors
     /// [`DynError::NoInverse`] unless [`DynArm::inverse`] is [`Inverse::Position`].
-    fn ik_position(&self, point: [f64; 3], visit: &mut dyn FnMut(DynSlot<'_>)) -> Result<(), DynError>;
+    fn solve_position(&self, point: [f64; 3], visit: &mut dyn FnMut(DynSlot<'_>)) -> Result<(), DynError>;
 }
 
 /// The joint vector of a slice.
@@ -149,7 +151,7 @@ pub fn write<X: Copy, const N: usize>(from: &[X; N], to: &mut [X]) -> Result<(),
     Ok(())
 }
 
-/// [`DynArm::ik`] of an arm that has it.
+/// [`DynArm::solve_pose`] of an arm that has it.
 pub fn visit_ik<const N: usize, A: InverseKinematics<N>>(
     arm: &A,
     pose: &Pose<f64>,
@@ -158,7 +160,7 @@ pub fn visit_ik<const N: usize, A: InverseKinematics<N>>(
     visit_slots(&arm.ik(pose), visit);
 }
 
-/// [`DynArm::ik_position`] of an arm that has it.
+/// [`DynArm::solve_position`] of an arm that has it.
 pub fn visit_ik_position<const N: usize, A: PositionInverse<N>>(
     arm: &A,
     point: [f64; 3],
@@ -226,17 +228,17 @@ macro_rules! __dyn_arm {
             fn table(&self) -> &'static str {
                 <$arm as $crate::Arm<$joints>>::TABLE
             }
-            fn reach(&self) -> f64 {
+            fn size(&self) -> f64 {
                 $crate::Arm::<$joints>::reach(self)
             }
-            fn limits(&self, joint: usize) -> ::core::option::Option<(f64, f64)> {
+            fn limit(&self, joint: usize) -> ::core::option::Option<(f64, f64)> {
                 $crate::Arm::<$joints>::limits(self).range(joint)
             }
-            fn fk(&self, q: &[f64]) -> ::core::result::Result<$crate::Pose<f64>, $crate::DynError> {
+            fn pose_at(&self, q: &[f64]) -> ::core::result::Result<$crate::Pose<f64>, $crate::DynError> {
                 let q = $crate::dynamic::joints_of::<$joints>(q)?;
                 ::core::result::Result::Ok($crate::Arm::fk(self, &q))
             }
-            fn frames(
+            fn frames_at(
                 &self,
                 q: &[f64],
                 frames: &mut [$crate::Pose<f64>],
@@ -244,7 +246,7 @@ macro_rules! __dyn_arm {
                 let q = $crate::dynamic::joints_of::<$joints>(q)?;
                 $crate::dynamic::write(&$crate::Arm::frames(self, &q), frames)
             }
-            fn jacobian(
+            fn jacobian_at(
                 &self,
                 q: &[f64],
                 columns: &mut [[f64; 6]],
@@ -259,7 +261,7 @@ macro_rules! __dyn_arm {
         fn inverse(&self) -> $crate::Inverse {
             $crate::Inverse::Pose
         }
-        fn ik(
+        fn solve_pose(
             &self,
             pose: &$crate::Pose<f64>,
             visit: &mut dyn ::core::ops::FnMut($crate::DynSlot<'_>),
@@ -274,7 +276,7 @@ macro_rules! __dyn_arm {
             $crate::Inverse::Position
         }
         $crate::__dyn_arm! { @ no_pose }
-        fn ik_position(
+        fn solve_position(
             &self,
             point: [f64; 3],
             visit: &mut dyn ::core::ops::FnMut($crate::DynSlot<'_>),
@@ -291,7 +293,7 @@ macro_rules! __dyn_arm {
         $crate::__dyn_arm! { @ no_position }
     };
     (@ no_pose) => {
-        fn ik(
+        fn solve_pose(
             &self,
             _: &$crate::Pose<f64>,
             _: &mut dyn ::core::ops::FnMut($crate::DynSlot<'_>),
@@ -300,7 +302,7 @@ macro_rules! __dyn_arm {
         }
     };
     (@ no_position) => {
-        fn ik_position(
+        fn solve_position(
             &self,
             _: [f64; 3],
             _: &mut dyn ::core::ops::FnMut($crate::DynSlot<'_>),
@@ -308,4 +310,113 @@ macro_rules! __dyn_arm {
             ::core::result::Result::Err($crate::DynError::NoInverse)
         }
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{LAB_ARM, LabRrr, Text};
+
+    /// An arm that can only go forward.
+    struct Bare;
+    impl Arm<3> for Bare {
+        const NAME: &'static str = "Bare";
+        const LENGTH_UNIT: LengthUnit = LengthUnit::Inch;
+        const TABLE: &'static str = "| J1 |";
+        const JOINTS: [Joint; 3] = LabRrr::JOINTS;
+        fn reach(&self) -> f64 {
+            LabRrr.reach()
+        }
+        fn limits(&self) -> crate::Limits<3> {
+            crate::Limits::new([Some((-1.0, 2.0)), None, None])
+        }
+        fn fk<T: crate::Real>(&self, q: &Joints<T, 3>) -> Pose<T> {
+            LabRrr.fk(q)
+        }
+        fn frames<T: crate::Real>(&self, q: &Joints<T, 3>) -> [Pose<T>; 3] {
+            LabRrr.frames(q)
+        }
+        fn jacobian<T: crate::Real>(&self, q: &Joints<T, 3>) -> crate::Jacobian<T, 3> {
+            LabRrr.jacobian(q)
+        }
+        fn fk_jacobian<T: crate::Real>(&self, q: &Joints<T, 3>) -> (Pose<T>, crate::Jacobian<T, 3>) {
+            LabRrr.fk_jacobian(q)
+        }
+    }
+
+    type Lab = crate::sample::Table<'l'>;
+    crate::private::dyn_arm!(Lab, 6, pose);
+    crate::private::dyn_arm!(LabRrr, 3, position);
+    crate::private::dyn_arm!(Bare, 3, plain);
+
+    #[test]
+    fn one_list_holds_every_kind_of_arm() {
+        let arms: [&dyn DynArm; 3] = [&LAB_ARM, &LabRrr, &Bare];
+        let inverses = [Inverse::Pose, Inverse::Position, Inverse::None];
+        let zeros = [0.0; 6];
+        for (arm, inverse) in arms.into_iter().zip(inverses) {
+            assert_eq!(arm.inverse(), inverse);
+            let q = &zeros[..arm.joints().len()];
+            let pose = arm.pose_at(q).unwrap();
+            let mut branches = 0;
+            let from_pose = arm.solve_pose(&pose, &mut |_| branches += 1);
+            assert_eq!(from_pose.is_ok(), inverse == Inverse::Pose);
+            let [point] = pose.translation.vector.data.0;
+            let from_point = arm.solve_position(point, &mut |_| branches += 1);
+            assert_eq!(from_point.is_ok(), inverse == Inverse::Position);
+            assert_eq!(
+                branches,
+                if inverse == Inverse::Pose { 8 } else { 4 * usize::from(inverse != Inverse::None) }
+            );
+        }
+        assert_eq!(
+            (arms[2].name(), arms[2].table(), arms[2].length_unit()),
+            ("Bare", "| J1 |", LengthUnit::Inch)
+        );
+        assert_eq!((arms[2].limit(0), arms[2].limit(1), arms[2].limit(9)), (Some((-1.0, 2.0)), None, None));
+        assert_eq!(arms[2].size(), LabRrr.reach());
+    }
+
+    #[test]
+    fn slots_come_out_as_they_are() {
+        let arm: &dyn DynArm = &LAB_ARM;
+        let pose = arm.pose_at(&[0.0; 6]).unwrap();
+        let (mut solved, mut merged) = (0, 0);
+        arm.solve_pose(&pose, &mut |slot| match slot.outcome {
+            DynOutcome::Solved { q, residual, isolated, families } => {
+                solved += 1;
+                assert!(q.len() == 6 && residual < 1e-14);
+                assert_eq!(Text::of(families).as_str().is_empty(), isolated);
+            }
+            DynOutcome::Merged { with } => {
+                merged += 1;
+                let (own, other) = (Text::of(slot.branch), Text::of(with));
+                assert_eq!((own.as_str(), other.as_str()), ("right/up/flip", "right/up/noflip"));
+            }
+            DynOutcome::Empty { reason } => panic!("{reason}"),
+        })
+        .unwrap();
+        assert_eq!((solved, merged), (7, 1));
+        let mut empty = 0;
+        let far = crate::pose::from_rows(crate::pose::rows(&pose).0, [1e4, 0.0, 0.0]);
+        arm.solve_pose(&far, &mut |slot| {
+            empty += usize::from(matches!(slot.outcome, DynOutcome::Empty { .. }))
+        })
+        .unwrap();
+        assert_eq!(empty, 8);
+    }
+
+    #[test]
+    fn slices_of_the_wrong_length_are_errors() {
+        let arm: &dyn DynArm = &LabRrr;
+        let wrong = DynError::Joints { wanted: 3, given: 2 };
+        assert_eq!(arm.pose_at(&[0.0; 2]).unwrap_err(), wrong);
+        assert_eq!(arm.jacobian_at(&[0.0; 3], &mut [[0.0; 6]; 2]), Err(wrong));
+        assert_eq!(arm.frames_at(&[0.0; 2], &mut []), Err(wrong));
+        let mut columns = [[0.0; 6]; 3];
+        arm.jacobian_at(&[0.0; 3], &mut columns).unwrap();
+        assert!((columns[0][5] - 1.0).abs() < 1e-15);
+        assert_eq!(Text::of(&wrong).as_str(), "the arm has 3 joints, 2 were given");
+        assert!(Text::of(&DynError::NoInverse).as_str().contains("no inverse kinematics"));
+    }
 }

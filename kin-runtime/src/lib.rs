@@ -23,7 +23,7 @@ pub use limits::{Limits, Standing};
 pub use math::{Float, Real};
 pub use nalgebra::{Matrix3, Point3};
 pub use pose::{Euler, EulerZyx, GimbalLock, Jacobian, Joints, Pose};
-pub use singularity::{Dexterity, dexterity};
+pub use singularity::{Dexterity, dexterity, position_dexterity};
 pub use solutions::{
     ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, JointSet, Posture, Reason, Shoulder,
     Singularity, Slot, Solution, Solutions,

@@ -8,7 +8,7 @@
 
 use core::fmt::LowerExp;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use nalgebra::{RealField, Scalar};
+use nalgebra::{ComplexField, RealField, Scalar};
 
 /// What forward kinematics needs of a number: field operations, a square root, sine and cosine. It has no order,
 /// so that a bundle of lanes can be a `Real`.
@@ -137,7 +137,12 @@ pub fn min<T: Float>(x: T, y: T) -> T {
 
 /// Whether a number is neither infinite nor NaN.
 pub fn is_finite<T: Float>(x: T) -> bool {
-    x - x == T::lit(0.0)
+    ComplexField::is_finite(&x)
+}
+
+/// Whether a number is not a number: the only value that is not at least, and not at most, itself.
+pub fn is_nan<T: Float>(x: T) -> bool {
+    x.partial_cmp(&x).is_none()
 }
 
 /// Half a turn, π rounded.
@@ -155,7 +160,7 @@ pub fn wrap<T: Float>(angle: T) -> T {
         return angle;
     }
     let turns = Float::floor((angle + half) / T::TURN.0);
-    if !(abs(turns) < T::lit(1e6)) {
+    if abs(turns) >= T::lit(1e6) || is_nan(turns) {
         let (s, c) = Real::sin_cos(angle);
         return into_range(Float::atan2(s, c));
     }

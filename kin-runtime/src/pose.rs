@@ -188,3 +188,74 @@ pub(crate) fn transposed<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: &[[T; 3]; 3
 pub(crate) fn dot<T: Real>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
     *a * *x + *b * *y + *c * *z
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{Random, Text};
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    fn difference(a: &Rotation3<f64>, b: &Rotation3<f64>) -> f64 {
+        (a.matrix() - b.matrix()).amax()
+    }
+
+    #[test]
+    fn euler_angles_give_the_orientation_back_however_near_the_lock_is() {
+        let mut random = Random(11);
+        for count in 0..2_000 {
+            let away = if count % 4 == 0 {
+                random.within(-1.5, 1.5)
+            } else {
+                [1e-3, 1e-9, 0.0][count % 3] * random.within(0.0, 1.0)
+            };
+            let y = if count % 4 == 0 { away } else { FRAC_PI_2 - away };
+            let angles =
+                EulerZyx { z: random.angle(), y: if random.coin() { y } else { -y }, x: random.angle() };
+            let rotation = angles.to_rotation();
+            let found = EulerZyx::from_rotation(&rotation);
+            assert!(difference(&found.any().to_rotation(), &rotation) < 1e-14, "{angles:?} {found:?}");
+            if let Euler::Regular(found) = found
+                && y.abs() < 1.5
+            {
+                assert!((math::wrap(found.z - angles.z)).abs() < 1e-13 && (found.y - angles.y).abs() < 1e-13);
+                assert!(found.y.abs() <= FRAC_PI_2);
+            }
+        }
+    }
+
+    #[test]
+    fn a_gimbal_lock_knows_the_sum_or_the_difference() {
+        for (y, up, turn) in [(FRAC_PI_2, true, 0.2 - 0.5), (-FRAC_PI_2, false, 0.2 + 0.5)] {
+            let rotation = EulerZyx { z: 0.5, y, x: 0.2 }.to_rotation();
+            let Euler::GimbalLock(lock) = EulerZyx::from_rotation(&rotation) else { panic!() };
+            assert!(lock.up == up && (lock.turn - turn).abs() < 1e-15, "{lock:?}");
+            for z in [0.0, 0.5, -3.0] {
+                assert!(difference(&lock.member(z).to_rotation(), &rotation) < 1e-15);
+            }
+            assert!((lock.member(0.5).x - 0.2).abs() < 1e-15);
+        }
+        // Section 6.1 of seed 000 prints the member z = pi/4, x = -pi/4.
+        let printed = EulerZyx { z: PI / 4.0, y: -FRAC_PI_2, x: -PI / 4.0 };
+        let lock = EulerZyx::from_rotation(&printed.to_rotation());
+        assert_eq!(Text::of(&lock).as_str(), "gimbal lock: y = -pi/2, x + z = 0.0000");
+        assert_eq!(Text::of(&printed).as_str(), "zyx(0.7854, -1.5708, -0.7854)");
+    }
+
+    #[test]
+    fn angles_go_by_name_and_nalgebra_has_them_backwards() {
+        let angles = EulerZyx { z: 0.3_f32, y: 0.2, x: 0.1 };
+        let (roll, pitch, yaw) = angles.to_rotation().euler_angles();
+        assert!(
+            (roll - angles.x).abs() < 1e-6
+                && (pitch - angles.y).abs() < 1e-6
+                && (yaw - angles.z).abs() < 1e-6
+        );
+        let pose = angles.at([1.0, 2.0, 3.0]);
+        assert_eq!(rows(&pose).1, [1.0, 2.0, 3.0]);
+        assert_eq!(
+            matrix_rows(&matrix3([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]))[1],
+            [4.0, 5.0, 6.0]
+        );
+        assert_eq!(crate::joints![0.5, 1.0], column([0.5, 1.0]));
+    }
+}

@@ -4,7 +4,7 @@ mod figures;
 mod table;
 
 pub(crate) use figures::Figures;
-pub(crate) use table::{LAB_ARM, LabRrr, PUMA_560, STANFORD_ARM};
+pub(crate) use table::{LAB_ARM, LabRrr, PUMA_560, STANFORD_ARM, Table};
 
 use crate::math::{self, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};

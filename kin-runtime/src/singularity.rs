@@ -24,19 +24,32 @@ const SWEEPS: usize = 16;
 pub struct Dexterity<T, const N: usize> {
     /// The singular values, largest first. An arm of more than six joints has N - 6 zeros at the end.
     pub singular_values: Joints<T, N>,
-    /// Yoshikawa's manipulability √det(J·Jᵀ): the product of the singular values (of the first six, if there are
-    /// more).
+    /// Yoshikawa's manipulability √det(J·Jᵀ): the product of the singular values, of the first six if there are more.
     pub manipulability: T,
-    /// The margin to the nearest singularity: the smallest singular value (the sixth, if there are more).
+    /// How far the arm is from losing a direction: the smallest singular value, or the sixth if there are more.
     pub margin: T,
 }
 
 /// The dexterity of an arm at `q`, linear rows divided by its reach.
 pub fn dexterity<T: Float, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Dexterity<T, N> {
-    let singular_values = singular_values(&scaled(&arm.jacobian(q), T::lit(arm.reach())));
+    measured(&scaled(&arm.jacobian(q), T::lit(arm.reach())), 6)
+}
+
+/// The dexterity at `q` of an arm that is asked for a position only: the linear rows alone, divided by its reach. At
+/// most three singular values are not zero; the margin is the third.
+pub fn position_dexterity<T: Float, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Dexterity<T, N> {
+    let zero = T::lit(0.0);
+    let linear =
+        scaled(&arm.jacobian(q), T::lit(arm.reach())).data.0.map(|[x, y, z, ..]| [x, y, z, zero, zero, zero]);
+    measured(&SMatrix::from_array_storage(ArrayStorage(linear)), 3)
+}
+
+/// The figures of a Jacobian with that many rows that count.
+fn measured<T: Float, const N: usize>(jacobian: &Jacobian<T, N>, rows: usize) -> Dexterity<T, N> {
+    let singular_values = singular_values(jacobian);
     let (mut manipulability, mut margin) = (T::lit(1.0), T::lit(0.0));
-    for value in pose::entries(&singular_values).into_iter().take(6) {
-        manipulability = manipulability * value;
+    for value in pose::entries(&singular_values).into_iter().take(rows) {
+        manipulability *= value;
         margin = value;
     }
     Dexterity { singular_values, manipulability, margin }
@@ -81,7 +94,7 @@ fn sweep<T: Float, const N: usize>(columns: &mut [[T; 6]; N]) -> bool {
 /// Turns two columns in their plane until they are orthogonal; whether they were not.
 fn orthogonalise<T: Float>(a: &mut [T; 6], b: &mut [T; 6]) -> bool {
     let (aa, bb, ab) = (product(a, a), product(b, b), product(a, b));
-    if !(math::abs(ab) > T::EPS * math::sqrt(aa * bb)) {
+    if math::abs(ab) <= T::EPS * math::sqrt(aa * bb) || math::is_nan(ab) {
         return false;
     }
     let zeta = (bb - aa) / (T::lit(2.0) * ab);
@@ -115,6 +128,67 @@ fn sort_falling<T: Float, const N: usize>(values: &mut [T; N]) {
                 Some((_, others)) => rest = others,
                 None => break,
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{LAB_ARM, LabRrr, PUMA_560, Random};
+
+    #[test]
+    fn a_diagonal_matrix_shows_its_singular_values() {
+        let column = |j: usize, x: f64| core::array::from_fn(|i| if i == j { x } else { 0.0 });
+        let jacobian: Jacobian<f64, 4> =
+            crate::private::jacobian([column(0, 2.0), column(3, -5.0), column(1, 0.0), column(5, 3.0)]);
+        assert_eq!(pose::entries(&singular_values(&jacobian)), [5.0, 3.0, 2.0, 0.0]);
+    }
+
+    #[test]
+    fn singular_values_are_those_of_the_products() {
+        let mut random = Random(12);
+        for _ in 0..200 {
+            let columns = [(); 6].map(|()| [(); 6].map(|()| random.within(-1.0, 1.0)));
+            let jacobian: Jacobian<f64, 6> = crate::private::jacobian(columns);
+            let values = singular_values(&jacobian);
+            // Independent of the algorithm: trace of JᵀJ and determinant of J.
+            let squares = values.iter().fold(0.0, |sum, s| sum + s * s);
+            assert!((squares - jacobian.norm_squared()).abs() < 1e-13);
+            let product = values.iter().product::<f64>();
+            assert!((product - jacobian.determinant().abs()).abs() < 1e-13);
+            assert!(values.iter().zip(values.iter().skip(1)).all(|(a, b)| a >= b));
+        }
+    }
+
+    #[test]
+    fn more_than_six_columns_leave_zeros() {
+        let mut random = Random(13);
+        let columns = [(); 7].map(|()| [(); 6].map(|()| random.within(-1.0, 1.0)));
+        let values = singular_values::<f64, 7>(&crate::private::jacobian(columns));
+        assert!(values[6] < 1e-15 && values[5] > 1e-3, "{values}");
+    }
+
+    #[test]
+    fn singular_poses_have_no_margin_and_units_do_not_count() {
+        // Seed 000, section 5: "z1 aligned with z4 is not a singularity" is refuted by the sixth singular value.
+        let q = pose::column([0.3, 7.424_206_202_669_955, -12.136_595_183_054_645, 0.4, 0.9, -0.5]);
+        let aligned = dexterity(&LAB_ARM, &q);
+        assert!(aligned.margin < 1e-15 && aligned.singular_values[4] > 0.02, "{aligned:?}");
+        let stretched = position_dexterity(&LabRrr, &pose::column([0.1, 0.2, 0.0]));
+        assert!(stretched.margin < 1e-15 && stretched.manipulability < 1e-15);
+        let bent = dexterity(&PUMA_560, &pose::column([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]));
+        assert!(bent.margin > 0.01 && bent.manipulability > 1e-4);
+        let product = bent.singular_values.iter().product::<f64>();
+        assert!((bent.manipulability - product).abs() < 1e-15);
+    }
+
+    #[test]
+    fn wild_entries_end_in_bounded_time() {
+        let mut random = Random(14);
+        for _ in 0..1_000 {
+            let columns = [(); 6].map(|()| [(); 6].map(|()| f64::from_bits(random.bits())));
+            let _ = singular_values::<f64, 6>(&crate::private::jacobian(columns));
         }
     }
 }

@@ -112,7 +112,7 @@ fn numbers(list: &Value) -> Option<Vec<f64>> {
 }
 
 fn fk(arm: &dyn DynArm, q: &[f64]) -> Result<Pose<f64>, String> {
-    arm.fk(q).map_err(|error| error.to_string())
+    arm.pose_at(q).map_err(|error| error.to_string())
 }
 
 /// A pose as a 4×4 matrix, its lengths multiplied by `scale`.
@@ -124,7 +124,7 @@ fn matrix(pose: &Pose<f64>, scale: f64) -> Value {
 
 fn jacobian(arm: &dyn DynArm, q: &[f64]) -> Result<Value, String> {
     let mut columns = vec![[0.0; 6]; q.len()];
-    arm.jacobian(q, &mut columns).map_err(|error| error.to_string())?;
+    arm.jacobian_at(q, &mut columns).map_err(|error| error.to_string())?;
     let metres = arm.length_unit().metres();
     let entry = |(c, column): (usize, &[f64; 6]), r: usize| {
         column[r] * if r < 3 { metres } else { 1.0 } / unit(arm, c)
@@ -150,15 +150,15 @@ fn inverse(arm: &dyn DynArm, request: &Value) -> Result<Value, String> {
         }
     };
     match (arm.inverse(), oriented) {
-        (Inverse::Pose, true) => arm.ik(&target, &mut visit),
-        (Inverse::Position, _) => arm.ik_position(target.translation.vector.into(), &mut visit),
+        (Inverse::Pose, true) => arm.solve_pose(&target, &mut visit),
+        (Inverse::Position, _) => arm.solve_position(target.translation.vector.into(), &mut visit),
         _ => return Err(format!("{} has no inverse for this task", arm.name())),
     }
     .map_err(|error| error.to_string())?;
     // Fewer joints than a pose asks for: of the solutions for the point, those with the orientation remain.
     if arm.inverse() == Inverse::Position && oriented {
         found.retain(|q| {
-            arm.fk(q).is_ok_and(|p| (p.rotation.matrix() - target.rotation.matrix()).amax() <= 1e-10)
+            arm.pose_at(q).is_ok_and(|p| (p.rotation.matrix() - target.rotation.matrix()).amax() <= 1e-10)
         });
     }
     let metres =

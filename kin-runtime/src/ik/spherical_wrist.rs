@@ -160,7 +160,7 @@ fn moving<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3],
     for step in [0.1, -0.1, 2.0] {
         let mut other = rows;
         if let Some(value) = other.get_mut(of) {
-            *value = *value + T::lit(step);
+            *value += T::lit(step);
         }
         let there = sample(arm, target, other);
         if let (Some(here), Some(there)) = (here, there) {

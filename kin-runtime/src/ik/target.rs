@@ -61,9 +61,10 @@ pub fn size<T: Float>(position: &[T; 3], reach: T) -> Result<T, Reason<T>> {
 pub fn distance<T: Float>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
     let mut largest = T::lit(0.0);
     for difference in [*a - *x, *b - *y, *c - *z] {
-        // A NaN is larger than everything here, and nothing is larger than it.
-        if math::abs(difference) > largest || difference != difference {
-            largest = math::abs(difference);
+        let size = math::abs(difference);
+        // A NaN replaces everything here, and nothing replaces it.
+        if size > largest || math::is_nan(size) {
+            largest = size;
         }
     }
     largest
@@ -89,7 +90,7 @@ fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
         return Err(Reason::NotFinite);
     }
     let (mut gap, mut defect) = gap(&r);
-    if !(defect <= T::lit(64.0) * math::sqrt(T::EPS)) {
+    if defect > T::lit(64.0) * math::sqrt(T::EPS) || math::is_nan(defect) {
         return Err(Reason::NotARotation { defect: known(defect) });
     }
     let [x, y, z] = &r;
@@ -103,7 +104,7 @@ fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
         let correction = pose::product(&r, &gap);
         for (row, extra) in r.iter_mut().zip(&correction) {
             for (x, dx) in row.iter_mut().zip(extra) {
-                *x = *x + T::lit(0.5) * *dx;
+                *x += T::lit(0.5) * *dx;
             }
         }
         (gap, defect) = self::gap(&r);
@@ -118,7 +119,10 @@ fn gap<T: Float>(r: &[[T; 3]; 3]) -> ([[T; 3]; 3], T) {
     let gap = [[one - xx, -xy, -xz], [-xy, one - yy, -yz], [-xz, -yz, one - zz]];
     let mut defect = T::lit(0.0);
     for row in &gap {
-        defect = math::max(defect, distance(row, &[T::lit(0.0); 3]));
+        let size = distance(row, &[T::lit(0.0); 3]);
+        if size > defect || math::is_nan(size) {
+            defect = size;
+        }
     }
     (gap, defect)
 }

@@ -152,7 +152,7 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
             let [line] = self.line().data.0;
             let per_step = line.get(chosen).map_or(T::lit(1.0), |k| T::lit(f64::from(*k)));
             for (joint, k) in q.iter_mut().zip(line) {
-                *joint = *joint + T::lit(f64::from(k)) * (step / per_step);
+                *joint += T::lit(f64::from(k)) * (step / per_step);
             }
         } else if let Some(joint) = q.get_mut(chosen) {
             *joint = value;

@@ -238,7 +238,7 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         for (joint, (a, b)) in pose::entries(from).into_iter().zip(pose::entries(to)).enumerate() {
             let way = math::abs(self.difference(joint, a, b));
             step.largest = math::max(step.largest, way);
-            step.sum = step.sum + way;
+            step.sum += way;
         }
         step
     }

@@ -1,4 +1,5 @@
 //! The examples of seed 000, sections 6.1 to 6.5, in its own words and numbers; choosing among solutions.
+#![allow(clippy::approx_constant, reason = "the report prints pi with four decimals")]
 
 use crate::pose::{self, Joints, Pose};
 use crate::sample::{Figures, LAB_ARM, PUMA_560, Random, STANFORD_ARM, Text};
