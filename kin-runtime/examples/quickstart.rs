@@ -39,13 +39,13 @@ fn summary(arm: &dyn kin_runtime::DynArm) {
     let unit = arm.length_unit();
     title(&format!("{}: {} joints, lengths in {unit}", arm.name(), arm.joints().len()));
     for (index, joint) in arm.joints().iter().enumerate() {
-        let limits = match arm.limits(index) {
+        let limits = match arm.limit(index) {
             Some((low, high)) => format!("{low:8.4} .. {high:7.4}"),
             None => "no limits".to_owned(),
         };
         println!("  {:<4} {:<10} {limits}", joint.name, format!("{:?}", joint.kind).to_lowercase());
     }
-    println!("  reach {} {unit}: the sum of all lengths in the table", arm.reach());
+    println!("  reach {} {unit}: the sum of all lengths in the table", arm.size());
 }
 
 fn forward(q: &Joints<f64, 6>) {
@@ -118,7 +118,7 @@ fn in_words() {
             position[0], position[1], position[2]
         ));
         let solutions = LabArm.ik(&orientation.at(position));
-        print!("{solutions}");
+        println!("{solutions}");
     }
 }
 
