@@ -174,6 +174,14 @@ impl<T: Float> Base<T> {
         Ok(Placed { rows: [plane.t1, t2, figure.t3], shoulder_free: plane.free, elbow_free: figure.free })
     }
 
+    /// The arm's reach.
+    pub fn reach(&self) -> T {
+        match self {
+            Base::Elbow(base) => base.reach,
+            Base::Telescope(base) => base.reach,
+        }
+    }
+
     fn stand(&self) -> Stand<T> {
         let (a1, twist, lateral, offset, reversed) = match self {
             Base::Elbow(b) => (b.a1, b.twist, b.lateral, b.offset, b.reversed),

@@ -31,6 +31,11 @@ mod tests;
 pub use base::{Base, ElbowBase, TelescopeBase};
 pub use wrist::{Wrist, WristFamily};
 
+use crate::arm::{Joint, JointKind};
+use crate::math::{self, Float};
+use crate::pose::{self, Joints};
+use crate::solutions::JointSet;
+
 /// Round-off of a figure, in units of ε times the size. A pose that is exactly on the boundary comes out within 3; one
 /// that misses it by a thousand times as much must not be called reachable.
 pub const ROUND_OFF: f64 = 8.0;
@@ -41,3 +46,19 @@ pub const FAMILY: f64 = 32.0;
 
 /// The largest residual of a solution that is given out, in units of ε.
 pub const ACCEPTED: f64 = 64.0;
+
+/// A joint vector to give out: angles in (-π, π], lengths as they are.
+fn given_out<T: Float, const N: usize>(mut q: [T; N], joints: &[Joint; N]) -> Joints<T, N> {
+    for (value, joint) in q.iter_mut().zip(joints) {
+        if joint.kind == JointKind::Revolute {
+            *value = math::wrap(*value);
+        }
+    }
+    pose::column(q)
+}
+
+/// The joints whose values are lengths.
+fn sliding<const N: usize>(joints: &[Joint; N]) -> JointSet {
+    let slides = joints.iter().enumerate().filter(|(_, joint)| joint.kind == JointKind::Prismatic);
+    slides.fold(JointSet::EMPTY, |set, (joint, _)| set.with(joint))
+}

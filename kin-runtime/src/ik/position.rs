@@ -1,8 +1,8 @@
 //! Three joints: the base alone puts the tool point in its place.
 
-use crate::JointKind;
 use crate::ik::target::{accepted, distance, size};
-use crate::math::{self, Float};
+use crate::ik::{given_out, sliding};
+use crate::math::Float;
 use crate::pose::{self, Joints};
 use crate::private::SolvePosition;
 use crate::solutions::{ArmPosture, Branch, Free, JointSet, Reason, Slot, Solution, Solutions};
@@ -28,20 +28,19 @@ fn solve_choosing<T: Float, A: SolvePosition<3>>(
     p: &Point3<T>,
     hold: Option<[T; 2]>,
 ) -> Solutions<T, 3, ArmPosture> {
-    let sliding = JointSet::sliding(A::JOINTS.iter().map(|joint| joint.kind));
-    let reach = T::lit(arm.reach());
+    let (sliding, base) = (sliding(&A::JOINTS), arm.base::<T>());
     let wanted = pose::entries(&p.coords);
-    let size = match size(&wanted, reach) {
+    let size = match size(&wanted, base.reach()) {
         Ok(size) => size,
         Err(reason) => return Solutions::none(sliding, reason),
     };
-    let placements = arm.base::<T>().place(arm.tool_point(p), size, hold);
+    let placements = base.place(arm.tool_point(p), size, hold);
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
     for branch in ArmPosture::ALL {
         let slot = match branch.of(&placements) {
             Err(reason) => Slot::Empty(*reason),
             Ok(placed) => {
-                let q = commanded(arm, placed.rows);
+                let q = given_out(arm.command(placed.rows), &A::JOINTS);
                 let free = Free {
                     shoulder: placed.shoulder_free.then(|| JointSet::EMPTY.with(0)),
                     elbow: placed.elbow_free.then(|| JointSet::EMPTY.with(1)),
@@ -56,17 +55,6 @@ fn solve_choosing<T: Float, A: SolvePosition<3>>(
         };
         solutions.put(*branch, slot);
     }
-    solutions.merge(reach);
+    solutions.merge(base.reach());
     solutions
-}
-
-/// What the caller commands for these row values, angles in (-π, π].
-fn commanded<T: Float, A: SolvePosition<3>>(arm: &A, rows: [T; 3]) -> Joints<T, 3> {
-    let mut q = arm.command(rows);
-    for (value, joint) in q.iter_mut().zip(&A::JOINTS) {
-        if joint.kind == JointKind::Revolute {
-            *value = math::wrap(*value);
-        }
-    }
-    pose::column(q)
 }

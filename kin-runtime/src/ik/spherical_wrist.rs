@@ -4,10 +4,10 @@
 //! pose ─► wrist centre ─► base figures ─► four (t1, t2, t3) ─► ³R₆ = ⁰R₃ᵀ·R ─► wrist ─► eight (t1 … t6) ─► checked q
 //! ```
 
-use crate::JointKind;
 use crate::ik::base::Placed;
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::Wrist;
+use crate::ik::{given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
@@ -35,14 +35,13 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
     pose: &Pose<T>,
     hold: Option<[T; 6]>,
 ) -> Solutions<T, 6, Posture> {
-    let sliding = JointSet::sliding(A::JOINTS.iter().map(|joint| joint.kind));
-    let reach = T::lit(arm.reach());
-    let target = match Target::new(pose, reach) {
+    let (sliding, base) = (sliding(&A::JOINTS), arm.base::<T>());
+    let target = match Target::new(pose, base.reach()) {
         Ok(target) => target,
         Err(reason) => return Solutions::none(sliding, reason),
     };
     let held = hold.map(|[t1, t2, ..]| [t1, t2]);
-    let placements = arm.base::<T>().place(arm.wrist_centre(&target.pose), target.scale, held);
+    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, held);
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
     for posture in ArmPosture::ALL {
         let [noflip, flip] = match posture.of(&placements) {
@@ -52,7 +51,7 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
         solutions.put(posture.with(Bend::NoFlip), noflip);
         solutions.put(posture.with(Bend::Flip), flip);
     }
-    solutions.merge(reach);
+    solutions.merge(base.reach());
     solutions
 }
 
@@ -129,22 +128,11 @@ fn check<T: Float, A: SolveWrist<6>>(
     rows: [T; 6],
     free: Free<6>,
 ) -> Slot<T, 6, Posture> {
-    let q = commanded(arm, rows);
+    let q = given_out(arm.command(rows), &A::JOINTS);
     match accepted(target.missed_by(&arm.fk(&q))) {
         Ok(residual) => Slot::Solved(Solution { branch, q, residual, free }),
         Err(reason) => Slot::Empty(reason),
     }
-}
-
-/// What the caller commands for these row values, angles in (-π, π].
-fn commanded<T: Float, A: SolveWrist<6>>(arm: &A, rows: [T; 6]) -> Joints<T, 6> {
-    let mut q = arm.command(rows);
-    for (value, joint) in q.iter_mut().zip(&A::JOINTS) {
-        if joint.kind == JointKind::Revolute {
-            *value = math::wrap(*value);
-        }
-    }
-    pose::column(q)
 }
 
 /// The direction in which the joints may go when axes 4 and 6 coincide: whole numbers, because couplings are.
@@ -182,5 +170,5 @@ fn sample<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3])
         Wrist::OutOfReach { .. } => return None,
     };
     let [t1, t2, t3] = rows;
-    Some(commanded(arm, [t1, t2, t3, t4, t5, t6]))
+    Some(given_out(arm.command([t1, t2, t3, t4, t5, t6]), &A::JOINTS))
 }

@@ -21,7 +21,7 @@ use crate::arm::JointKind;
 use crate::limits::{Limits, Standing};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints};
-use core::fmt;
+use core::{fmt, iter, slice};
 
 /// Joint values that bring the tool to the pose: checked by forward kinematics.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -106,14 +106,6 @@ impl JointSet {
     /// Its joints, in order.
     pub fn iter(self) -> impl Iterator<Item = usize> {
         (0..32).filter(move |&joint| self.contains(joint))
-    }
-
-    /// The joints that slide.
-    pub(crate) fn sliding(kinds: impl Iterator<Item = JointKind>) -> Self {
-        kinds
-            .enumerate()
-            .filter(|(_, kind)| *kind == JointKind::Prismatic)
-            .fold(Self::EMPTY, |set, (j, _)| set.with(j))
     }
 }
 
@@ -291,6 +283,18 @@ impl<T, const N: usize, B> Slot<T, N, B> {
         }
     }
 }
+
+impl<'a, T: Float, const N: usize, B: Branch> IntoIterator for &'a Solutions<T, N, B> {
+    type Item = &'a Solution<T, N, B>;
+    type IntoIter = iter::FilterMap<slice::Iter<'a, Slot<T, N, B>>, Held<'a, T, N, B>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.slots().iter().filter_map(Slot::solution)
+    }
+}
+
+/// The solution that a slot holds.
+type Held<'a, T, const N: usize, B> = fn(&'a Slot<T, N, B>) -> Option<&'a Solution<T, N, B>>;
 
 impl<T: Float, const N: usize, B: Branch> Clone for Solutions<T, N, B> {
     fn clone(&self) -> Self {

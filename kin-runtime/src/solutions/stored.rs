@@ -53,3 +53,36 @@ where
         Ok(solutions)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::pose::{self, Pose};
+    use crate::sample::{LAB_ARM, STANFORD_ARM, Text};
+    use crate::{Arm, Dexterity, Euler, EulerZyx, InverseKinematics, Limits, Posture, Solutions, dexterity};
+    use serde::{Serialize, de::DeserializeOwned};
+
+    fn survives<X: Serialize + DeserializeOwned + PartialEq + core::fmt::Debug>(value: &X) {
+        let text = serde_json::to_string(value).unwrap();
+        assert_eq!(&serde_json::from_str::<X>(&text).unwrap(), value, "{text}");
+    }
+
+    #[test]
+    fn what_a_user_may_store_comes_back() {
+        let q = pose::column([0.0, 0.3, 0.4, 0.5, 0.0, 0.6]);
+        let pose: Pose<f64> = LAB_ARM.fk(&q);
+        survives(&q);
+        survives(&pose);
+        survives::<Solutions<f64, 6, Posture>>(&LAB_ARM.ik(&pose));
+        survives::<Solutions<f32, 6, Posture>>(
+            &STANFORD_ARM.ik(&STANFORD_ARM.fk(&pose::column([0.5_f32; 6]))),
+        );
+        survives::<Solutions<f64, 6, Posture>>(
+            &LAB_ARM.ik(&pose::from_rows(pose::rows(&pose).0, [1e3, 0.0, 0.0])),
+        );
+        survives::<Dexterity<f64, 6>>(&dexterity(&LAB_ARM, &q));
+        survives::<Euler<f64>>(&EulerZyx::from_rotation(&pose.rotation));
+        survives::<Limits<6>>(&LAB_ARM.limits());
+        let short = serde_json::from_str::<Limits<6>>("[null, [0, 1]]");
+        assert!(Text::of(&short.unwrap_err()).as_str().contains("6 joint ranges"));
+    }
+}
