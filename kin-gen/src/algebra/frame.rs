@@ -83,6 +83,16 @@ pub struct Frames {
     pub tip: Mark,
 }
 
+impl Frames {
+    /// What can carry something, from the base to the tip.
+    pub fn carriers(&self) -> impl Iterator<Item = Carrier> + '_ {
+        let stages = |(group, stages): (usize, &Group)| {
+            (0..stages.stages.len()).map(move |stage| Carrier::After(group, stage)).collect::<Vec<_>>()
+        };
+        self.groups.iter().enumerate().flat_map(stages)
+    }
+}
+
 /// Which joint values the sines are of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Values {

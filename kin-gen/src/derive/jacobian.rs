@@ -5,7 +5,7 @@
 //! (Whitney 1972). In the frame of the joint's own group z is a unit vector, so z × w = (-w_y, w_x, 0) costs nothing
 //! and only has to be brought to the world; or both are brought there and multiplied: whichever adds less.
 
-use super::pose::{Reaches, Scaled, TermPose, cheapest_style, reaches, rotation_name};
+use super::pose::{Reach, Reaches, TermPose, cheapest_style, reaches, rotation_name};
 use super::{Deriver, pose};
 use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::Frames;
@@ -16,37 +16,41 @@ pub type Column = [Term; 6];
 
 /// The Jacobian alone.
 pub fn jacobian(exprs: &mut Exprs, frames: &Frames, couple: &[Vec<i64>]) -> Vec<Column> {
-    cheapest_style(exprs, frames, |d| {
-        let reach = reaches(d, &frames.tip);
-        columns(d, &reach, couple)
-    })
+    cheapest_style(exprs, frames, |d| alone(d, couple))
 }
 
 /// The pose and the Jacobian, planned together: the columns of one serve the other.
 pub fn fk_jacobian(exprs: &mut Exprs, frames: &Frames, couple: &[Vec<i64>]) -> (TermPose, Vec<Column>) {
-    let pose_first = |d: &mut Deriver<'_>| {
-        let rotation = d.rotation(&frames.tip, &rotation_name);
-        let reach = reaches(d, &frames.tip);
-        let columns = columns(d, &reach, couple);
-        (TermPose { rotation, position: reach.from_world }, columns)
-    };
-    let columns_first = |d: &mut Deriver<'_>| {
-        let reach = reaches(d, &frames.tip);
-        let columns = columns(d, &reach, couple);
-        let rotation = d.rotation(&frames.tip, &rotation_name);
-        (TermPose { rotation, position: reach.from_world }, columns)
-    };
     let start = exprs.mark();
-    cheapest_style(exprs, frames, pose_first);
-    let work_pose_first = exprs.work_since(start);
-    exprs.roll_back(start);
-    cheapest_style(exprs, frames, columns_first);
-    if exprs.work_since(start) < work_pose_first {
+    let mut work = [0, 0];
+    for (work, pose_first) in work.iter_mut().zip([true, false]) {
+        cheapest_style(exprs, frames, |d| both(d, couple, pose_first));
+        *work = exprs.work_since(start);
         exprs.roll_back(start);
-        return cheapest_style(exprs, frames, columns_first);
     }
-    exprs.roll_back(start);
-    cheapest_style(exprs, frames, pose_first)
+    cheapest_style(exprs, frames, |d| both(d, couple, work[0] <= work[1]))
+}
+
+/// The pose and the Jacobian, in either order: what comes first is there for the other to use.
+pub fn both(d: &mut Deriver<'_>, couple: &[Vec<i64>], pose_first: bool) -> (TermPose, Vec<Column>) {
+    let tip = &d.frames.tip;
+    if pose_first {
+        let rotation = d.rotation(tip, &rotation_name);
+        let reach = reaches(d, tip);
+        let columns = columns(d, &reach, couple);
+        (TermPose { rotation, position: reach.from_world }, columns)
+    } else {
+        let reach = reaches(d, tip);
+        let columns = columns(d, &reach, couple);
+        let rotation = d.rotation(tip, &rotation_name);
+        (TermPose { rotation, position: reach.from_world }, columns)
+    }
+}
+
+/// The columns alone.
+pub fn alone(d: &mut Deriver<'_>, couple: &[Vec<i64>]) -> Vec<Column> {
+    let reach = reaches(d, &d.frames.tip);
+    columns(d, &reach, couple)
 }
 
 fn columns(d: &mut Deriver<'_>, reach: &Reaches, couple: &[Vec<i64>]) -> Vec<Column> {
@@ -75,33 +79,42 @@ fn columns(d: &mut Deriver<'_>, reach: &Reaches, couple: &[Vec<i64>]) -> Vec<Col
 }
 
 /// The velocity of the tip for a unit rate about the group's z.
-fn linear(d: &mut Deriver<'_>, group: usize, w: &Scaled, joint: usize) -> V3<Term> {
+fn linear(d: &mut Deriver<'_>, group: usize, w: &Reach, joint: usize) -> V3<Term> {
     let name = move |row: usize| format!("v{joint}{}", ["x", "y", "z"][row]);
     let level = 2 * group + 1;
     let across = |d: &mut Deriver<'_>, w: &V3<Term>| [d.exprs.neg(w[1]), w[0], Term::ZERO];
     let in_group = |d: &mut Deriver<'_>| {
-        let whole = w.whole(d.exprs);
-        let v = across(d, &whole);
+        let total = w.total(d.exprs);
+        let v = across(d, &total);
         d.to_world(level, &v, &name)
     };
-    let scaled_after = |d: &mut Deriver<'_>| {
-        let v = across(d, &w.vector);
-        let direction = d.to_world(level, &v, &name);
-        vector::scale(d.exprs, &w.factor, &direction)
-    };
     let in_world = |d: &mut Deriver<'_>| {
-        let whole = w.whole(d.exprs);
-        let reach = d.to_world(level, &whole, &name);
+        let total = w.total(d.exprs);
+        let reach = d.to_world(level, &total, &name);
         let axis = d.column(level, 2, &name);
         vector::cross(d.exprs, &axis, &reach)
     };
-    let in_world_scaled = |d: &mut Deriver<'_>| {
-        let reach = d.to_world(level, &w.vector, &name);
+    let in_world_by_shares = |d: &mut Deriver<'_>| {
+        let reach = w.in_world(d, level);
+        let axis = d.column(level, 2, &name);
+        vector::cross(d.exprs, &axis, &reach)
+    };
+    let Some(part) = w.part.filter(|_| w.is_only_part()) else {
+        return d.cheapest(&[&in_group, &in_world, &in_world_by_shares]).unwrap_or([Term::ZERO; 3]);
+    };
+    let scaled_after = |d: &mut Deriver<'_>| {
+        let v = across(d, &part.vector);
+        let direction = d.to_world(level, &v, &name);
+        vector::scale(d.exprs, &part.factor, &direction)
+    };
+    let scaled_in_world = |d: &mut Deriver<'_>| {
+        let reach = part.direction(d);
         let axis = d.column(level, 2, &name);
         let direction = vector::cross(d.exprs, &axis, &reach);
-        vector::scale(d.exprs, &w.factor, &direction)
+        vector::scale(d.exprs, &part.factor, &direction)
     };
-    d.cheapest(&[&in_group, &scaled_after, &in_world, &in_world_scaled]).unwrap_or([Term::ZERO; 3])
+    let ways = d.cheapest(&[&in_group, &in_world, &in_world_by_shares, &scaled_after, &scaled_in_world]);
+    ways.unwrap_or([Term::ZERO; 3])
 }
 
 fn join(linear: &V3<Term>, angular: &V3<Term>) -> Column {

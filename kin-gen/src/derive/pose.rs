@@ -26,42 +26,118 @@ impl TermPose {
     }
 }
 
-/// A vector that is a length times a shorter expression, kept apart as long as that is cheaper.
+/// A length along a unit vector of some frame, kept apart from the rest of a reach for as long as that is cheaper.
 #[derive(Clone, Copy, Debug)]
-pub struct Scaled {
+pub struct Part {
     /// The length.
     pub factor: Term,
-    /// The direction.
+    /// The unit vector, in the frame that the reach is seen in.
     pub vector: V3<Term>,
+    /// What carries the unit vector, and the vector there.
+    pub fixed: (Carrier, V3<Term>),
 }
 
-impl Scaled {
-    /// With the length multiplied in.
-    pub fn whole(&self, exprs: &mut Exprs) -> V3<Term> {
-        vector::scale(exprs, &self.factor, &self.vector)
-    }
+/// The tip as seen from some point: a vector, plus at most one part that is kept apart.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach {
+    /// What is multiplied in.
+    pub whole: V3<Term>,
+    /// What is not.
+    pub part: Option<Part>,
+}
 
-    fn of(v: &V3<Term>) -> Scaled {
-        let nonzero: Vec<usize> = (0..3).filter(|i| v[*i] != Term::ZERO).collect();
-        match nonzero.as_slice() {
-            [only] => {
-                let mut unit = [Term::ZERO; 3];
-                unit[*only] = Term::ONE;
-                Scaled { factor: v[*only], vector: unit }
+impl Reach {
+    const ZERO: Reach = Reach { whole: [Term::ZERO; 3], part: None };
+
+    /// Everything multiplied in.
+    pub fn total(&self, exprs: &mut Exprs) -> V3<Term> {
+        match self.part {
+            None => self.whole,
+            Some(part) => {
+                let length = vector::scale(exprs, &part.factor, &part.vector);
+                vector::add(exprs, &self.whole, &length)
             }
-            _ => Scaled { factor: Term::ONE, vector: *v },
         }
     }
 
+    /// Whether nothing is multiplied in.
+    pub fn is_only_part(&self) -> bool {
+        self.whole.iter().all(|t| *t == Term::ZERO)
+    }
+
     fn is_zero(&self) -> bool {
-        self.vector.iter().all(|t| *t == Term::ZERO)
+        self.part.is_none() && self.is_only_part()
+    }
+
+    /// A shift along one axis of its carrier is a part of its own.
+    fn of(carrier: Carrier, shift: &V3<Term>) -> Reach {
+        let nonzero: Vec<usize> = (0..3).filter(|i| shift[*i] != Term::ZERO).collect();
+        match nonzero.as_slice() {
+            [only] => {
+                let mut vector = [Term::ZERO; 3];
+                vector[*only] = Term::ONE;
+                let part = Part { factor: shift[*only], vector, fixed: (carrier, vector) };
+                Reach { part: Some(part), ..Reach::ZERO }
+            }
+            _ => Reach { whole: *shift, part: None },
+        }
+    }
+
+    fn map(&self, d: &mut Deriver<'_>, f: impl Fn(&mut Deriver<'_>, &V3<Term>) -> V3<Term>) -> Reach {
+        let whole = f(d, &self.whole);
+        let part = self.part.map(|part| Part { vector: f(d, &part.vector), ..part });
+        Reach { whole, part }
+    }
+
+    /// With a shift added; the part is multiplied in.
+    fn plus(&self, d: &mut Deriver<'_>, carrier: Carrier, shift: &V3<Term>) -> Reach {
+        if shift.iter().all(|t| *t == Term::ZERO) {
+            return *self;
+        }
+        if self.is_zero() {
+            return Reach::of(carrier, shift);
+        }
+        let whole = self.total(d.exprs);
+        Reach { whole: vector::add(d.exprs, &whole, shift), part: None }
+    }
+
+    /// With a nearer reach added; the parts of both are multiplied in.
+    fn with(&self, d: &mut Deriver<'_>, nearer: &Reach) -> Reach {
+        let (farther, nearer) = (self.total(d.exprs), nearer.total(d.exprs));
+        Reach { whole: vector::add(d.exprs, &farther, &nearer), part: None }
+    }
+
+    /// In the axes of the world, each share brought there by itself.
+    pub fn in_world(&self, d: &mut Deriver<'_>, level: usize) -> V3<Term> {
+        let whole = d.to_world(level, &self.whole, &position_name);
+        match self.part {
+            None => whole,
+            Some(part) => {
+                let length = part.in_world(d);
+                vector::add(d.exprs, &whole, &length)
+            }
+        }
+    }
+}
+
+impl Part {
+    /// The direction in the axes of the world.
+    pub fn direction(&self, d: &mut Deriver<'_>) -> V3<Term> {
+        let (carrier, unit) = self.fixed;
+        let (level, unit) = d.carry(carrier, &unit);
+        d.to_world(level, &unit, &position_name)
+    }
+
+    fn in_world(&self, d: &mut Deriver<'_>) -> V3<Term> {
+        let direction = self.direction(d);
+        vector::scale(d.exprs, &self.factor, &direction)
     }
 }
 
 /// The tip as seen from each axis, in the frame of the axis's group.
 pub struct Reaches {
     /// By group and stage.
-    pub from_axis: Vec<Vec<Scaled>>,
+    pub from_axis: Vec<Vec<Reach>>,
     /// From the world's origin.
     pub from_world: V3<Term>,
 }
@@ -69,9 +145,9 @@ pub struct Reaches {
 /// Walks from the tip to the base: planar sums inside each group, turned by the group once.
 pub fn reaches(d: &mut Deriver<'_>, tip: &Mark) -> Reaches {
     let frames = d.frames;
-    let mut from_axis: Vec<Vec<Scaled>> =
+    let mut from_axis: Vec<Vec<Reach>> =
         frames.groups.iter().map(|g| Vec::with_capacity(g.stages.len())).collect();
-    let mut reach = Scaled::of(&[Term::ZERO; 3]);
+    let mut reach = Reach::ZERO;
     let (last_group, last_stage) = match tip.carrier {
         Carrier::World => return Reaches { from_axis, from_world: tip.shift },
         Carrier::After(group, stage) => (group, stage),
@@ -79,42 +155,33 @@ pub fn reaches(d: &mut Deriver<'_>, tip: &Mark) -> Reaches {
     for group in (0..=last_group).rev() {
         let stages = &frames.groups[group].stages;
         let first = if group == last_group { last_stage } else { stages.len() - 1 };
-        let mut in_group = Scaled::of(&[Term::ZERO; 3]);
+        let mut in_group = Reach::ZERO;
         for stage in (0..=first).rev() {
-            let is_tip = group == last_group && stage == last_stage;
-            let shift = if is_tip { tip.shift } else { stages[stage].shift };
+            let carrier = Carrier::After(group, stage);
+            let shift = if carrier == tip.carrier { tip.shift } else { stages[stage].shift };
             // The far part turns with the whole group, the rest with the joints up to its own.
-            let far = if stage + 1 == stages.len() { reach } else { Scaled::of(&[Term::ZERO; 3]) };
-            let local = plus(d.exprs, &far, &shift);
+            let far = if stage + 1 == stages.len() { reach } else { Reach::ZERO };
+            let local = far.plus(d, carrier, &shift);
             let joint = stages[stage].joint + 1;
-            d.label(&local.vector, &|i| format!("p{}_{joint}", ["x", "y", "z"][i]), 0);
-            let turned = Scaled { factor: local.factor, vector: d.turn(group, stage, &local.vector) };
-            in_group = if in_group.is_zero() {
-                turned
-            } else {
-                let whole = turned.whole(d.exprs);
-                plus(d.exprs, &in_group, &whole)
-            };
+            d.label(&local.whole, &|i| format!("p{}_{joint}", ["x", "y", "z"][i]), 0);
+            let turned = local.map(d, |d, v| d.turn(group, stage, v));
+            in_group = if in_group.is_zero() { turned } else { in_group.with(d, &turned) };
             // The world's level: the name already says from which axis the tip is seen.
-            d.label(&in_group.vector, &|i| format!("w{joint}{}", ["x", "y", "z"][i]), 0);
+            d.label(&in_group.whole, &|i| format!("w{joint}{}", ["x", "y", "z"][i]), 0);
             from_axis[group].insert(0, in_group);
         }
         let m = frames.groups[group].from_previous;
-        reach = Scaled { factor: in_group.factor, vector: vector::apply(d.exprs, &m, &in_group.vector) };
+        reach = in_group.map(d, |d, v| vector::apply(d.exprs, &m, v));
     }
-    let from_world = plus(d.exprs, &reach, &frames.base_shift).whole(d.exprs);
+    let whole = vector::add(d.exprs, &reach.whole, &frames.base_shift);
+    let from_world = match reach.part {
+        None => whole,
+        Some(part) => {
+            let length = part.in_world(d);
+            vector::add(d.exprs, &whole, &length)
+        }
+    };
     Reaches { from_axis, from_world }
-}
-
-fn plus(exprs: &mut Exprs, a: &Scaled, b: &V3<Term>) -> Scaled {
-    if b.iter().all(|t| *t == Term::ZERO) {
-        return *a;
-    }
-    if a.is_zero() {
-        return Scaled::of(b);
-    }
-    let whole = a.whole(exprs);
-    Scaled { factor: Term::ONE, vector: vector::add(exprs, &whole, b) }
 }
 
 /// The tip's position as the sum of all shifts, each brought to the world by itself.
@@ -123,11 +190,26 @@ fn position_upwards(d: &mut Deriver<'_>, tip: &Mark) -> V3<Term> {
     if tip.carrier == Carrier::World {
         return tip.shift;
     }
-    let mut sum = frames.base_shift;
+    let base = frames.base_shift;
+    shifts_upwards(d, tip, Carrier::World, base)
+}
+
+/// The tip's position as that of a nearer point plus the shifts from there on, each brought to the world by itself.
+fn position_in_two(d: &mut Deriver<'_>, tip: &Mark, turn_off: Carrier) -> V3<Term> {
+    let Carrier::After(group, stage) = turn_off else { return position_upwards(d, tip) };
+    let near =
+        Mark { carrier: turn_off, local: tip.local, shift: d.frames.groups[group].stages[stage].shift };
+    let near = reaches(d, &near).from_world;
+    shifts_upwards(d, tip, turn_off, near)
+}
+
+/// Adds the shifts carried by what comes after `from`.
+fn shifts_upwards(d: &mut Deriver<'_>, tip: &Mark, from: Carrier, mut sum: V3<Term>) -> V3<Term> {
+    let frames = d.frames;
     for (group, stages) in frames.groups.iter().enumerate() {
         for (stage, joint) in stages.stages.iter().enumerate() {
             let here = Carrier::After(group, stage);
-            if here > tip.carrier {
+            if here > tip.carrier || here <= from {
                 continue;
             }
             let shift = if here == tip.carrier { tip.shift } else { joint.shift };
@@ -140,19 +222,16 @@ fn position_upwards(d: &mut Deriver<'_>, tip: &Mark) -> V3<Term> {
 
 /// A vector brought to the world: whole, or as a direction that is then multiplied by its length.
 fn to_world_scaled(d: &mut Deriver<'_>, carrier: Carrier, v: &V3<Term>) -> V3<Term> {
-    let scaled = Scaled::of(v);
-    let bring = |d: &mut Deriver<'_>, v: &V3<Term>| {
-        let (level, v) = d.carry(carrier, v);
-        d.to_world(level, &v, &position_name)
+    let by_part = |d: &mut Deriver<'_>| match Reach::of(carrier, v).part {
+        Some(part) => part.in_world(d),
+        None => whole_to_world(d, carrier, v),
     };
-    d.cheapest(&[
-        &|d| {
-            let direction = bring(d, &scaled.vector);
-            vector::scale(d.exprs, &scaled.factor, &direction)
-        },
-        &|d| bring(d, v),
-    ])
-    .unwrap_or([Term::ZERO; 3])
+    d.cheapest(&[&by_part, &|d| whole_to_world(d, carrier, v)]).unwrap_or([Term::ZERO; 3])
+}
+
+fn whole_to_world(d: &mut Deriver<'_>, carrier: Carrier, v: &V3<Term>) -> V3<Term> {
+    let (level, v) = d.carry(carrier, v);
+    d.to_world(level, &v, &position_name)
 }
 
 fn position_name(row: usize) -> String {
@@ -164,9 +243,19 @@ pub fn rotation_name(row: usize, column: usize) -> String {
     format!("r{}{}", row + 1, column + 1)
 }
 
-/// The tip's position, the cheaper way.
+/// One way of deriving a vector.
+type Way<'w> = dyn Fn(&mut Deriver<'_>) -> V3<Term> + 'w;
+
+/// The tip's position, the cheapest way.
 pub fn position(d: &mut Deriver<'_>, tip: &Mark) -> V3<Term> {
-    d.cheapest(&[&|d| reaches(d, tip).from_world, &|d| position_upwards(d, tip)]).unwrap_or([Term::ZERO; 3])
+    let carriers: Vec<Carrier> = d.frames.carriers().filter(|c| *c < tip.carrier).collect();
+    let in_two: Vec<_> =
+        carriers.iter().map(|c| move |d: &mut Deriver<'_>| position_in_two(d, tip, *c)).collect();
+    let whole = |d: &mut Deriver<'_>| reaches(d, tip).from_world;
+    let upwards = |d: &mut Deriver<'_>| position_upwards(d, tip);
+    let mut ways: Vec<&Way> = vec![&whole, &upwards];
+    ways.extend(in_two.iter().map(|way| way as &Way));
+    d.cheapest(&ways).unwrap_or([Term::ZERO; 3])
 }
 
 /// The pose of the tip, in the cheapest style.
