@@ -145,8 +145,8 @@ pub use nalgebra::{Matrix3, Point3};
 pub use pose::{Euler, EulerZyx, GimbalLock, Jacobian, Joints, Pose};
 pub use singularity::{Dexterity, dexterity, position_dexterity};
 pub use solutions::{
-    ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, JointSet, Posture, Reason, Shoulder,
-    Singularity, Slot, Solution, Solutions,
+    ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, JointSet, Margins, Posture, Reason,
+    Shoulder, Singularity, Slot, Solution, Solutions,
 };
 
 /// What a program that declares and uses arms wants in scope.

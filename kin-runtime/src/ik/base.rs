@@ -79,6 +79,10 @@ pub struct TelescopeBase<T> {
 pub struct Placed<T> {
     /// Of joints 1, 2 and 3.
     pub rows: [T; 3],
+    /// The distance of the wrist centre from the plane in which both shoulders are one.
+    pub shoulder: T,
+    /// The elbow's angle from stretched or folded, or the slide's extension.
+    pub elbow: T,
     /// Whether joint 1 may take any other value.
     pub shoulder_free: bool,
     /// Whether joint 2 may take any other value.
@@ -122,6 +126,7 @@ struct Plane<T> {
 struct Figure<T> {
     lean: T,
     t3: T,
+    margin: T,
     free: bool,
 }
 
@@ -171,7 +176,13 @@ impl<T: Float> Base<T> {
             (true, Some([_, t2])) => math::wrap(t2),
             (true, None) => T::lit(0.0),
         };
-        Ok(Placed { rows: [plane.t1, t2, figure.t3], shoulder_free: plane.free, elbow_free: figure.free })
+        Ok(Placed {
+            rows: [plane.t1, t2, figure.t3],
+            shoulder: if plane.free { T::lit(0.0) } else { math::abs(plane.x + stand.a1) },
+            elbow: figure.margin,
+            shoulder_free: plane.free,
+            elbow_free: figure.free,
+        })
     }
 
     /// The arm's reach.
@@ -279,7 +290,8 @@ impl<T: Float> ElbowBase<T> {
         let ([_, _, offset], [_, _, reversed]) = (self.offset, self.reversed);
         let (s3, c3) = math::sin_cos(psi3);
         let lean = math::atan2(self.fore * s3, self.upper + self.fore * c3);
-        Ok(Figure { lean, t3: row_value(psi3, offset, reversed), free })
+        let margin = math::min(bend, math::half_turn::<T>() - bend);
+        Ok(Figure { lean, t3: row_value(psi3, offset, reversed), margin, free })
     }
 }
 
@@ -296,7 +308,8 @@ impl<T: Float> TelescopeBase<T> {
             }
         };
         let s = if posture.elbow == Elbow::Up { extension } else { -extension };
-        Ok(Figure { lean: math::atan2(s, self.arm), t3: row_length(s, offset, reversed), free })
+        let t3 = row_length(s, offset, reversed);
+        Ok(Figure { lean: math::atan2(s, self.arm), t3, margin: extension, free })
     }
 }
 

@@ -5,7 +5,7 @@ use crate::ik::{given_out, sliding};
 use crate::math::Float;
 use crate::pose::{self, Joints};
 use crate::private::SolvePosition;
-use crate::solutions::{ArmPosture, Branch, Free, JointSet, Reason, Slot, Solution, Solutions};
+use crate::solutions::{ArmPosture, Branch, Free, JointSet, Margins, Reason, Slot, Solution, Solutions};
 use nalgebra::Point3;
 
 /// All solutions; a free joint takes the value 0.
@@ -46,9 +46,10 @@ fn solve_choosing<T: Float, A: SolvePosition<3>>(
                     elbow: placed.elbow_free.then(|| JointSet::EMPTY.with(1)),
                     wrist: None,
                 };
+                let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
                 let (_, reached) = pose::rows(&arm.fk(&q));
                 match accepted(distance(&reached, &wanted) / size) {
-                    Ok(residual) => Slot::Solved(Solution { branch: *branch, q, residual, free }),
+                    Ok(residual) => Slot::Solved(Solution { branch: *branch, q, residual, margins, free }),
                     Err(reason) => Slot::Empty(reason),
                 }
             }

@@ -12,7 +12,7 @@ use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
 use crate::solutions::{
-    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Posture, Reason, Slot, Solution, Solutions,
+    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Margins, Posture, Reason, Slot, Solution, Solutions,
 };
 use nalgebra::SVector;
 
@@ -42,10 +42,11 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
     };
     let held = hold.map(|[t1, t2, ..]| [t1, t2]);
     let placements = base.place(arm.wrist_centre(&target.pose), target.scale, held);
+    let task = Task { arm, target, hold };
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
     for posture in ArmPosture::ALL {
         let [noflip, flip] = match posture.of(&placements) {
-            Ok(placed) => bend(arm, &target, *posture, placed, hold),
+            Ok(placed) => task.bend(*posture, placed),
             Err(reason) => [Slot::Empty(*reason); 2],
         };
         solutions.put(posture.with(Bend::NoFlip), noflip);
@@ -55,120 +56,126 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
     solutions
 }
 
-/// The two slots of one placement of the wrist centre.
-fn bend<T: Float, A: SolveWrist<6>>(
-    arm: &A,
-    target: &Target<T>,
-    posture: ArmPosture,
-    placed: &Placed<T>,
+/// What is asked of an arm: the pose, and row values for coordinates that it leaves free.
+struct Task<'a, T: Float, A> {
+    arm: &'a A,
+    target: Target<T>,
     hold: Option<[T; 6]>,
-) -> [Slot<T, 6, Posture>; 2] {
-    let (rows, wrist) = reached(arm, target, placed, hold.is_some());
-    let [t1, t2, t3] = rows;
-    let free = |wrist| Free {
-        shoulder: placed.shoulder_free.then(|| moving(arm, target, rows, 0)),
-        elbow: placed.elbow_free.then(|| moving(arm, target, rows, 1)),
-        wrist,
-    };
-    let slot = |bend, [t4, t5, t6]: [T; 3], wrist| {
-        check(arm, target, posture.with(bend), [t1, t2, t3, t4, t5, t6], free(wrist))
-    };
-    match wrist {
-        Wrist::Two { noflip, flip } => [slot(Bend::NoFlip, noflip, None), slot(Bend::Flip, flip, None)],
-        Wrist::Family(family) => {
-            let member = match hold {
-                Some([_, _, _, t4, _, _]) => family.member(t4),
-                None => family.even(),
+}
+
+impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
+    /// The two slots of one placement of the wrist centre.
+    fn bend(&self, posture: ArmPosture, placed: &Placed<T>) -> [Slot<T, 6, Posture>; 2] {
+        let (rows, wrist) = self.reached(placed);
+        let slot = |bend, wrist_rows, margin, line| {
+            let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: Some(margin) };
+            let free = Free {
+                shoulder: placed.shoulder_free.then(|| self.moving(rows, 0)),
+                elbow: placed.elbow_free.then(|| self.moving(rows, 1)),
+                wrist: line,
             };
-            let merged = Slot::Merged { with: posture.with(Bend::NoFlip) };
-            match slot(Bend::NoFlip, member, Some(line(arm, family.difference))) {
-                Slot::Empty(reason) => [Slot::Empty(reason); 2],
-                solved => [solved, merged],
+            self.checked(posture.with(bend), joined(rows, wrist_rows), margins, free)
+        };
+        match wrist {
+            Wrist::Two { noflip, flip, margin } => {
+                [slot(Bend::NoFlip, noflip, margin, None), slot(Bend::Flip, flip, margin, None)]
+            }
+            Wrist::Family(family) => {
+                let member = match self.hold {
+                    Some([_, _, _, t4, _, _]) => family.member(t4),
+                    None => family.even(),
+                };
+                let merged = Slot::Merged { with: posture.with(Bend::NoFlip) };
+                match slot(Bend::NoFlip, member, T::lit(0.0), Some(self.line(family.difference))) {
+                    Slot::Empty(reason) => [Slot::Empty(reason); 2],
+                    solved => [solved, merged],
+                }
+            }
+            Wrist::OutOfReach { by } => {
+                let [t1, ..] = rows;
+                [Slot::Empty(Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) }); 2]
             }
         }
-        Wrist::OutOfReach { by } => {
-            [Slot::Empty(Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) }); 2]
+    }
+
+    fn wrist(&self, rows: [T; 3]) -> Wrist<T> {
+        self.arm.wrist_angles(&self.arm.wrist_rotation(rows, &self.target.pose))
+    }
+
+    /// What the wrist makes of a placement. An oblique wrist may not reach where a free joint stands by convention;
+    /// then fifteen other values of that joint are tried.
+    fn reached(&self, placed: &Placed<T>) -> ([T; 3], Wrist<T>) {
+        let convention = self.wrist(placed.rows);
+        let [t1, t2, t3] = placed.rows;
+        let free = placed.shoulder_free || placed.elbow_free;
+        if free && self.hold.is_none() && matches!(convention, Wrist::OutOfReach { .. }) {
+            for turn in 1..16 {
+                let step = math::half_turn::<T>() * T::lit(0.125 * f64::from(turn));
+                let turned = if placed.shoulder_free {
+                    [math::wrap(t1 + step), t2, t3]
+                } else {
+                    [t1, math::wrap(t2 + step), t3]
+                };
+                let wrist = self.wrist(turned);
+                if !matches!(wrist, Wrist::OutOfReach { .. }) {
+                    return (turned, wrist);
+                }
+            }
+        }
+        (placed.rows, convention)
+    }
+
+    /// The joint values that command these row values, if forward kinematics confirms them.
+    fn checked(
+        &self,
+        branch: Posture,
+        rows: [T; 6],
+        margins: Margins<T>,
+        free: Free<6>,
+    ) -> Slot<T, 6, Posture> {
+        let q = given_out(self.arm.command(rows), &A::JOINTS);
+        match accepted(self.target.missed_by(&self.arm.fk(&q))) {
+            Ok(residual) => Slot::Solved(Solution { branch, q, residual, margins, free }),
+            Err(reason) => Slot::Empty(reason),
         }
     }
-}
 
-/// What the wrist makes of a placement. An oblique wrist may not reach where a free joint stands by convention; then
-/// sixteen other values of that joint are tried.
-fn reached<T: Float, A: SolveWrist<6>>(
-    arm: &A,
-    target: &Target<T>,
-    placed: &Placed<T>,
-    held: bool,
-) -> ([T; 3], Wrist<T>) {
-    let solve = |rows| (rows, arm.wrist_angles(&arm.wrist_rotation(rows, &target.pose)));
-    let convention = solve(placed.rows);
-    if held || !matches!(convention.1, Wrist::OutOfReach { .. }) {
-        return convention;
+    /// The direction in which the joints may go when axes 4 and 6 coincide: whole numbers, because couplings are.
+    fn line(&self, difference: bool) -> SVector<i8, 6> {
+        let back = if difference { 1.0 } else { -1.0 };
+        SVector::from(self.arm.command([0.0, 0.0, 0.0, 1.0, 0.0, back]).map(|step: f64| step as i8))
     }
-    let [t1, t2, t3] = placed.rows;
-    for turn in 1..16 {
-        let step = math::half_turn::<T>() * T::lit(0.125 * f64::from(turn));
-        let other = match (placed.shoulder_free, placed.elbow_free) {
-            (true, _) => solve([math::wrap(t1 + step), t2, t3]),
-            (false, true) => solve([t1, math::wrap(t2 + step), t3]),
-            (false, false) => break,
-        };
-        if !matches!(other.1, Wrist::OutOfReach { .. }) {
-            return other;
-        }
-    }
-    convention
-}
 
-/// The joint values that command these row values, if forward kinematics confirms them.
-fn check<T: Float, A: SolveWrist<6>>(
-    arm: &A,
-    target: &Target<T>,
-    branch: Posture,
-    rows: [T; 6],
-    free: Free<6>,
-) -> Slot<T, 6, Posture> {
-    let q = given_out(arm.command(rows), &A::JOINTS);
-    match accepted(target.missed_by(&arm.fk(&q))) {
-        Ok(residual) => Slot::Solved(Solution { branch, q, residual, free }),
-        Err(reason) => Slot::Empty(reason),
-    }
-}
-
-/// The direction in which the joints may go when axes 4 and 6 coincide: whole numbers, because couplings are.
-fn line<A: SolveWrist<6>>(arm: &A, difference: bool) -> SVector<i8, 6> {
-    let back = if difference { 1.0 } else { -1.0 };
-    SVector::from(arm.command([0.0, 0.0, 0.0, 1.0, 0.0, back]).map(|step: f64| step as i8))
-}
-
-/// The joints that move when the free joint `of` does, told from three other members of the family.
-fn moving<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3], of: usize) -> JointSet {
-    let here = sample(arm, target, rows);
-    let mut set = JointSet::EMPTY.with(of);
-    for step in [0.1, -0.1, 2.0] {
-        let mut other = rows;
-        if let Some(value) = other.get_mut(of) {
-            *value += T::lit(step);
-        }
-        let there = sample(arm, target, other);
-        if let (Some(here), Some(there)) = (here, there) {
+    /// The joints that move when the free joint `of` does, told from three other members of the family.
+    fn moving(&self, rows: [T; 3], of: usize) -> JointSet {
+        let here = self.sample(rows);
+        let mut set = JointSet::EMPTY.with(of);
+        for step in [0.1, -0.1, 2.0] {
+            let mut other = rows;
+            if let Some(value) = other.get_mut(of) {
+                *value += T::lit(step);
+            }
+            let (Some(here), Some(there)) = (here, self.sample(other)) else { continue };
             for (joint, (a, b)) in pose::entries(&here).into_iter().zip(pose::entries(&there)).enumerate() {
                 if math::abs(math::wrap(a - b)) > T::lit(64.0) * math::sqrt(T::EPS) {
                     set = set.with(joint);
                 }
             }
         }
+        set
     }
-    set
+
+    /// One of the joint vectors with the given first three row values, where the wrist can follow.
+    fn sample(&self, rows: [T; 3]) -> Option<Joints<T, 6>> {
+        let wrist = match self.wrist(rows) {
+            Wrist::Two { noflip, .. } => noflip,
+            Wrist::Family(family) => family.even(),
+            Wrist::OutOfReach { .. } => return None,
+        };
+        Some(given_out(self.arm.command(joined(rows, wrist)), &A::JOINTS))
+    }
 }
 
-/// One of the joint vectors with the given first three row values, where the wrist can follow.
-fn sample<T: Float, A: SolveWrist<6>>(arm: &A, target: &Target<T>, rows: [T; 3]) -> Option<Joints<T, 6>> {
-    let [t4, t5, t6] = match arm.wrist_angles(&arm.wrist_rotation(rows, &target.pose)) {
-        Wrist::Two { noflip, .. } => noflip,
-        Wrist::Family(family) => family.even(),
-        Wrist::OutOfReach { .. } => return None,
-    };
-    let [t1, t2, t3] = rows;
-    Some(given_out(arm.command([t1, t2, t3, t4, t5, t6]), &A::JOINTS))
+fn joined<T>([t1, t2, t3]: [T; 3], [t4, t5, t6]: [T; 3]) -> [T; 6] {
+    [t1, t2, t3, t4, t5, t6]
 }

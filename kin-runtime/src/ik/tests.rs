@@ -7,7 +7,7 @@ use crate::private::SolveWrist;
 use crate::sample::{Figures, LAB_ARM, LabRrr, PUMA_560, Random, STANFORD_ARM};
 use crate::{
     Arm, Boundary, EulerZyx, Float, InverseKinematics, Point3, PositionInverse, Posture, Reason, Slot,
-    Solutions, dexterity,
+    Solution, Solutions, dexterity,
 };
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -174,6 +174,63 @@ fn nothing_is_lost_at_or_near_the_singular_sets() {
 #[test]
 fn nothing_is_lost_near_the_singular_sets_of_a_slide() {
     singular_sets::<true>(5);
+}
+
+#[test]
+fn margins_are_the_factors_of_the_determinant() {
+    let mut random = Random(9);
+    for oblique in [false, true] {
+        for _ in 0..200 {
+            let arm = Figures::<false>::random(&mut random, !oblique);
+            let q = random_joints(&arm, &mut random);
+            let determinant = dexterity(&arm, &q).manipulability;
+            let product = |s: &Solution<f64, 6, Posture>| {
+                let (elbow, wrist) =
+                    (math::sin_cos(s.margins.elbow).0, math::sin_cos(s.margins.wrist.unwrap()).0);
+                s.margins.shoulder * elbow * wrist
+            };
+            let solutions = arm.ik(&arm.fk(&q));
+            let own = solutions.nearest(&q).unwrap();
+            // det J = |sin α| · shoulder · (upper · fore · sin elbow) · (sin 45 · sin 56 · sin wrist), linear rows per reach.
+            let reach = arm.reach();
+            let [upper, fore] = arm.links;
+            let axes = arm
+                .between
+                .map_or(1.0, |[k4, k5]| math::hypot(k4[2][0], k4[2][1]) * math::hypot(k5[0][2], k5[1][2]));
+            let twist = math::sin_cos(arm.twist).0.abs();
+            let expected = twist * upper * fore * axes * product(own) / (reach * reach * reach);
+            assert!(
+                (determinant - expected).abs() < 1e-10 * determinant.max(1e-4),
+                "{determinant} {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_elbow_that_is_up_is_above_the_one_that_is_down() {
+    let mut random = Random(10);
+    let shoulders = [crate::Shoulder::Right, crate::Shoulder::Left];
+    for _ in 0..200 {
+        let puma = PUMA_560.ik(&PUMA_560.fk(&random_joints::<f64, _>(&PUMA_560, &mut random)));
+        let lab = LAB_ARM.ik(&LAB_ARM.fk(&random_joints::<f64, _>(&LAB_ARM, &mut random)));
+        for shoulder in shoulders {
+            // Both upper arms rise by the sine of q2. That of the lab arm stands 30 mm before axis 1, so that only
+            // reaching over its back is it surely on the far side of its shoulder.
+            for (solutions, certain) in [(&puma, true), (&lab, shoulder == crate::Shoulder::Left)] {
+                let height = |elbow| {
+                    let solution =
+                        solutions.solution(Posture { shoulder, elbow, wrist: crate::Bend::NoFlip });
+                    solution.map(|s| math::sin_cos(s.q[1]).0)
+                };
+                if let (true, Some(up), Some(down)) =
+                    (certain, height(crate::Elbow::Up), height(crate::Elbow::Down))
+                {
+                    assert!(up > down, "{shoulder} {up} {down}");
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -14,6 +14,8 @@ pub enum Wrist<T> {
         noflip: [T; 3],
         /// Bent negatively.
         flip: [T; 3],
+        /// The angle of the bend from where the three axes lie in one plane.
+        margin: T,
     },
     /// Axes 4 and 6 coincide: infinitely many ways.
     Family(WristFamily<T>),
@@ -107,7 +109,13 @@ pub fn zyz<T: Float>(m: [[T; 3]; 3], rows: &Rows<T>) -> Wrist<T> {
         let straight = if m33 < T::lit(0.0) { math::half_turn() } else { T::lit(0.0) };
         return family([a, b, c], [a, straight, c], sin_b, m33, rows);
     }
-    Wrist::Two { noflip: rows.values([a, b, c]), flip: rows.values([opposite(a), -b, opposite(c)]) }
+    let [noflip, flip] = [[a, b, c], [opposite(a), -b, opposite(c)]].map(|angles| rows.values(angles));
+    Wrist::Two { noflip, flip, margin: from_straight(b) }
+}
+
+/// How far an angle in [0, π] is from the nearer end.
+fn from_straight<T: Float>(bend: T) -> T {
+    math::min(bend, math::half_turn::<T>() - bend)
 }
 
 /// The family of a wrist by figure angles: the member `own` that fits best, and a member bent so that axes 4 and 6
@@ -146,7 +154,7 @@ pub fn oblique<T: Float>(m: [[T; 3]; 3], k4: [[T; 3]; 3], k5: [[T; 3]; 3], rows:
         return family(noflip, bent(&m, &k4, &k5, straight), sin_46, m33, rows);
     }
     let flip = bent(&m, &k4, &k5, closest - swing);
-    Wrist::Two { noflip: rows.values(noflip), flip: rows.values(flip) }
+    Wrist::Two { noflip: rows.values(noflip), flip: rows.values(flip), margin: from_straight(swing) }
 }
 
 /// The figure angles of an oblique wrist whose bend is known: a turns axis 6 to its place, c takes what is left.

@@ -41,7 +41,22 @@ pub struct Solution<T, const N: usize, B> {
     /// How far forward kinematics of `q` misses the pose: the largest entry of the position error divided by the
     /// arm's reach (or by the pose's own distance, if that is larger), or of the rotation error.
     pub residual: T,
+    /// How far it is from each kind of singular pose.
+    pub margins: Margins<T>,
     pub(crate) free: Free<N>,
+}
+
+/// How far a solution is from each kind of singular pose, in the arm's own terms. The Jacobian loses a rank where, and
+/// only where, one of them is zero.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Margins<T> {
+    /// The distance, a length, of the wrist centre from the plane through axis 1 in which both shoulders are one.
+    pub shoulder: T,
+    /// The angle of the elbow from stretched or folded, whichever is nearer; a length, the extension, for a slide.
+    pub elbow: T,
+    /// The angle of the wrist's bend from where its three axes lie in one plane; `None` for an arm without a wrist.
+    pub wrist: Option<T>,
 }
 
 /// What became of one branch.
