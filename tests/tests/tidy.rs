@@ -265,6 +265,24 @@ fn the_two_commands_of_the_readme_are_what_ci_runs() {
     }
 }
 
+#[test]
+fn the_tests_that_architecture_names_exist() {
+    let sources = rust("");
+    let architecture = read("ARCHITECTURE.md");
+    let rows = architecture.lines().filter(|line| line.starts_with('|'));
+    let named =
+        rows.flat_map(|row| row.split('`').skip(1).step_by(2)).filter_map(|code| code.rsplit_once("::"));
+    let lost = named.filter(|(file, test)| {
+        let stands =
+            |source: &Source| source.path.contains(file) && source.text.contains(&format!("fn {test}()"));
+        file.chars().all(|c| c.is_ascii_lowercase()) && !sources.iter().any(stands)
+    });
+    none(
+        "ARCHITECTURE.md names a test that is not there",
+        lost.map(|(file, test)| format!("{file}::{test}")).collect(),
+    );
+}
+
 /// The code that the README shows is what its table compiles to, white space apart.
 #[test]
 fn the_readme_shows_what_is_generated() {
