@@ -14,7 +14,7 @@
 //! 2. In that plane, from the foot of axis 2, the wrist centre is at (X, V); two links span D = √(X² + V²)
 //!    ([circles](crate::geometry::circle_meets_circle)), or a slide does.
 
-use crate::geometry::{Chord, Span, circle_meets_circle, circle_meets_plane};
+use crate::geometry::{Chord, Span, circle_meets_circle, circle_meets_plane, turn};
 use crate::ik::ROUND_OFF;
 use crate::ik::wrist::{figure_angle, row_length, row_value};
 use crate::math::{self, Float};
@@ -234,7 +234,8 @@ impl<T: Float> Stand<T> {
                 let ([offset, _], [reversed, _]) = (self.offset, self.reversed);
                 let t1 = hold.map_or(T::lit(0.0), |[t1, _]| math::wrap(t1));
                 let (s, c) = math::sin_cos(figure_angle(t1, offset, reversed));
-                Ok(Plane { t1, x: c * px + s * py - self.a1, v: sight.v, free: true })
+                let [along, _] = turn([px, py], (-s, c));
+                Ok(Plane { t1, x: along - self.a1, v: sight.v, free: true })
             }
         }
     }
