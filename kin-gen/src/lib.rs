@@ -14,7 +14,7 @@
 //! * [`chain`]: the arm as exact elementary transforms
 //! * [`algebra`]: the ring of the proof, the graph of the code
 //! * [`truth`]: the plain matrix product, as polynomials
-//! * [`derive`]: equal derivations, the cheapest chosen
+//! * [`mod@derive`]: equal derivations, the cheapest chosen
 //! * [`family`]: which arms can be solved, and with what numbers
 //! * [`program`], [`signs`], [`names`], [`eval`]: straight-line code, its signs, its names, its meaning
 //! * [`model`]: all of it for one arm

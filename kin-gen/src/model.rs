@@ -1,6 +1,6 @@
 //! The derived arm: its programs, each proved against the matrix product, and what its inverse solver is told.
 //!
-//! After [`derive`]: every program equals the declaration's own product of elementary transforms as a polynomial, and
+//! After [`derive()`]: every program equals the declaration's own product of elementary transforms as a polynomial, and
 //! every constant in it is the double nearest to its exact value. The backends only print what stands here.
 
 use crate::algebra::expr::{Exprs, Term};

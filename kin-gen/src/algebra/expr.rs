@@ -97,7 +97,7 @@ pub enum Node {
     Zero,
     /// 1.
     One,
-    /// A constant: an index into [`Exprs::constants`].
+    /// A constant: an index into the constants of [`Exprs`].
     Constant(usize),
     /// A length parameter of the arm.
     Param(usize),
@@ -105,7 +105,7 @@ pub enum Node {
     Slide(usize),
     /// An entry of the given pose: `3·row + column` of the rotation, then 9, 10, 11 for the position.
     Entry(usize),
-    /// The cosine of a turn: an index into [`Exprs::turns`].
+    /// The cosine of a turn: an index into the turns of [`Exprs`].
     Cos(usize),
     /// The sine of a turn.
     Sin(usize),

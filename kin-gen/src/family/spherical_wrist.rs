@@ -12,7 +12,7 @@ use crate::chain::JointKind;
 use crate::number::Real;
 use crate::quantity::{Linear, Quantity};
 
-/// How the three wrist angles are read from a rotation m = before[ᵀ]·³R₆·after.
+/// How the three wrist angles are read from a rotation m = before·³R₆·after, the first possibly transposed.
 #[derive(Clone, Debug)]
 pub enum WristForm {
     /// Axis 5 perpendicular to axes 4 and 6: m = Rz(a)·Ry(b)·Rz(c).
