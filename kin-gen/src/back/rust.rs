@@ -418,17 +418,21 @@ impl Printer<'_> {
         let sentence = format!("`{name}` has no inverse kinematics: {reason}");
         let sentence = format!("{:?}", sentence.replace('{', "(").replace('}', ")"));
         line!(text, "const _: () = {{");
-        line!(text, "/// Implemented by nothing: it carries the sentence that says why.");
+        line!(text, "/// No number is one: it carries the sentence that says why.");
         line!(
             text,
             "#[diagnostic::on_unimplemented(message = {sentence}, label = \"not derived for this arm\")]"
         );
-        line!(text, "pub trait NoInverse {{ fn none() -> ::core::convert::Infallible; }}");
+        line!(text, "pub trait NoInverse {{}}");
+        // With one implementation that is not to be spoken of, rustc does not propose to write the first one.
+        line!(text, "#[diagnostic::do_not_recommend]\nimpl NoInverse for {name} {{}}");
         line!(text, "{ATTRIBUTES}\nimpl {name} {{");
-        for (method, argument) in [("ik", "Pose<T>"), ("ik_position", "Point3<T>")] {
+        for (method, argument, branch) in [("ik", "Pose", "Posture"), ("ik_position", "Point3", "ArmPosture")]
+        {
+            // Its result is what the loop over the solutions expects, so that the sentence stands alone.
             line!(text, "/// Not derived for this arm: {reason}.");
-            line!(text, "pub fn {method}<T: {krate}::Float + NoInverse>(&self, _: &{krate}::{argument})");
-            line!(text, "-> ::core::convert::Infallible {{ T::none() }}");
+            line!(text, "pub fn {method}<T: {krate}::Float + NoInverse>(&self, _: &{krate}::{argument}<T>)");
+            line!(text, "-> {krate}::Solutions<T, {}, {krate}::{branch}> {{ loop {{}} }}", self.count());
         }
         line!(text, "}}\n}};");
     }

@@ -30,7 +30,20 @@ dh! {
     | J6    |   0   | 0      | flange  | q     |
 }
 
+dh! {
+    /// A private arm without an inverse, whose place is taken by a sentence.
+    struct Ur(standard, m, deg);
+    | joint | alpha | a        | d        | theta |
+    | J1    |  90   | 0        | 0.089159 | q     |
+    | J2    |   0   | -0.425   | 0        | q     |
+    | J3    |   0   | -0.39225 | 0        | q     |
+    | J4    |  90   | 0        | 0.10915  | q     |
+    | J5    | -90   | 0        | 0.09465  | q     |
+    | J6    |   0   | 0        | 0.0823   | q     |
+}
+
 fn main() {
+    assert!(Ur.reach() > 1.0);
     let pose = Puma.fk(&joints![0.1, -0.4, 0.2, 0.3, 0.9, -0.5]);
     assert!(Puma.ik(&pose).iter().count() > 0);
     assert_eq!(Tooled::default(), Tooled { flange: 0.1 });
