@@ -156,5 +156,7 @@ pub mod prelude {
         Joints, Limits, Pose, PositionInverse, Posture, Real, Reason, Shoulder, Slot, Solution, Solutions,
         SphericalWrist, dh, joints,
     };
+    // Once more without their names: an arm that is itself called `Arm` hides the name, not the methods.
+    pub use crate::{Arm as _, InverseKinematics as _, PositionInverse as _, SphericalWrist as _};
     pub use nalgebra::{Matrix3, Point3};
 }
