@@ -40,7 +40,8 @@ fn no_program_costs_more_than_the_best_peer() {
     for (table, peers) in PEERS {
         let arm = kin_gen::compile_text(table).unwrap_or_else(|messages| panic!("{messages}"));
         let forward = &arm.forward;
-        for (program, [mul, add]) in [&forward.fk, &forward.jacobian, &forward.fk_jacobian].iter().zip(peers) {
+        for (program, [mul, add]) in [&forward.fk, &forward.jacobian, &forward.fk_jacobian].iter().zip(peers)
+        {
             let cost = program.cost();
             println!("{:10} {:12} {:3}/{:<3} peer {mul}/{add}", arm.name, program.name, cost.mul, cost.add);
             assert!(cost.mul <= mul && cost.add <= add, "{} {}: {cost}", arm.name, program.name);
