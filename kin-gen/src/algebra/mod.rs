@@ -8,5 +8,9 @@
 
 pub mod expr;
 pub mod frame;
+mod monomial;
+mod poly;
 pub mod ring;
+mod show;
+mod turn;
 pub mod vector;

@@ -8,8 +8,11 @@
 
 use std::cell::Cell;
 use std::cmp::{Ordering, Reverse};
-use std::fmt;
 
+use super::monomial::Monomial;
+pub use super::monomial::Var;
+pub use super::poly::Poly;
+use super::show::Shown;
 use crate::number::{Angle, Real, Scalar};
 
 /// Most variables of one ring; four bits of exponent for each.
@@ -17,123 +20,6 @@ pub const MAX_VARS: usize = 128;
 
 /// Most term products of one derivation: beyond it the proof would take minutes in an unoptimised macro.
 const WORK_LIMIT: u64 = 20_000_000;
-
-/// A variable: an index into the ring's table.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub struct Var(pub u8);
-
-/// Words of a monomial, each with the exponents of 32 variables.
-const WORDS: usize = MAX_VARS / 32;
-
-/// Exponents 0 to 15 of all variables, packed; the first variable in the highest bits, so that the order of the
-/// integers is the lexicographic order of the monomials.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
-struct Monomial([u128; WORDS]);
-
-/// The highest bit of each exponent.
-const HIGH_BITS: u128 = u128::MAX / 15 * 8;
-
-impl Monomial {
-    fn of(var: Var, exponent: u128) -> Monomial {
-        let mut words = [0; WORDS];
-        words[usize::from(var.0) / 32 % WORDS] = exponent << (124 - 4 * (usize::from(var.0) % 32));
-        Monomial(words)
-    }
-
-    fn exponent(self, var: Var) -> u32 {
-        ((self.0[usize::from(var.0) / 32 % WORDS] >> (124 - 4 * (usize::from(var.0) % 32))) & 15) as u32
-    }
-
-    /// The product, or `None` if an exponent would exceed 15.
-    fn times(self, other: Monomial) -> Option<Monomial> {
-        let mut words = [0; WORDS];
-        for ((word, a), b) in words.iter_mut().zip(self.0).zip(other.0) {
-            let sum = a.wrapping_add(b);
-            let carries = (a & b) | ((a | b) & !sum);
-            if carries & HIGH_BITS != 0 {
-                return None;
-            }
-            *word = sum;
-        }
-        Some(Monomial(words))
-    }
-
-    /// Without the given exponents, which must be present.
-    fn without(self, other: Monomial) -> Monomial {
-        self.zip(other, |a, b| a - b)
-    }
-
-    fn masked(self, mask: Monomial) -> Monomial {
-        self.zip(mask, |a, b| a & b)
-    }
-
-    fn united(self, other: Monomial) -> Monomial {
-        self.zip(other, |a, b| a | b)
-    }
-
-    fn zip(mut self, other: Monomial, combine: impl Fn(u128, u128) -> u128) -> Monomial {
-        for (a, b) in self.0.iter_mut().zip(other.0) {
-            *a = combine(*a, b);
-        }
-        self
-    }
-
-    fn is_one(self) -> bool {
-        self.0 == [0; WORDS]
-    }
-}
-
-/// A polynomial in normal form: terms in descending order of their monomials, no zero coefficient.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
-pub struct Poly {
-    terms: Vec<(Monomial, i64)>,
-}
-
-impl Poly {
-    /// The polynomial 0.
-    pub fn zero() -> Poly {
-        Poly::default()
-    }
-
-    /// A constant integer.
-    pub fn integer(value: i64) -> Poly {
-        Poly { terms: if value == 0 { Vec::new() } else { vec![(Monomial::default(), value)] } }
-    }
-
-    /// Whether it is the polynomial 0.
-    pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
-    }
-
-    /// Its value if it is 0, 1 or -1.
-    pub fn as_unit(&self) -> Option<i64> {
-        match self.terms.as_slice() {
-            [] => Some(0),
-            [(m, c)] if m.is_one() && c.abs() == 1 => Some(*c),
-            _ => None,
-        }
-    }
-
-    /// Whether the leading coefficient is negative.
-    pub fn leads_negative(&self) -> bool {
-        self.terms.first().is_some_and(|(_, c)| *c < 0)
-    }
-
-    /// The number of terms.
-    pub fn len(&self) -> usize {
-        self.terms.len()
-    }
-
-    /// Whether it has no terms.
-    pub fn is_empty(&self) -> bool {
-        self.terms.is_empty()
-    }
-
-    /// The polynomial with all signs changed.
-    pub fn neg(&self) -> Poly {
-        Poly { terms: self.terms.iter().map(|&(m, c)| (m, -c)).collect() }
-    }
-}
 
 /// What a variable stands for.
 #[derive(Clone, PartialEq, Debug)]
@@ -153,8 +39,8 @@ pub enum VarKind {
 }
 
 #[derive(Clone, Debug)]
-struct VarInfo {
-    name: String,
+pub(super) struct VarInfo {
+    pub(super) name: String,
     kind: VarKind,
     /// The value, of a constant.
     value: Option<Scalar>,
@@ -163,11 +49,11 @@ struct VarInfo {
 /// The variables and the work done so far. A result is trustworthy only while [`Ring::exhausted`] is false.
 #[derive(Clone, Debug, Default)]
 pub struct Ring {
-    vars: Vec<VarInfo>,
+    pub(super) vars: Vec<VarInfo>,
     /// The second bit of each sine's exponent: set in a product exactly when that sine is squared.
     sine_squares: Monomial,
     /// All exponent bits of each variable that varies.
-    varying: Monomial,
+    pub(super) varying: Monomial,
     work: Cell<u64>,
     exhausted: Cell<bool>,
 }
@@ -369,13 +255,10 @@ impl Ring {
 
     /// Pushes a term, with s² = 1 - c² applied to each squared sine in it.
     fn push_reduced(&self, terms: &mut Vec<(Monomial, i64)>, monomial: Monomial, coefficient: i64) {
-        let squares = monomial.masked(self.sine_squares);
-        if squares.is_one() {
+        let Some(sine) = monomial.masked(self.sine_squares).first() else {
             terms.push((monomial, coefficient));
             return;
-        }
-        let word = squares.0.iter().position(|w| *w != 0).unwrap_or(0);
-        let sine = Var((32 * word + squares.0[word].leading_zeros() as usize / 4) as u8);
+        };
         let rest = monomial.without(Monomial::of(sine, 2));
         self.push_reduced(terms, rest, coefficient);
         match rest.times(Monomial::of(Var(sine.0 - 1), 2)) {
@@ -494,42 +377,4 @@ fn times(a: Scalar, b: Scalar) -> Scalar {
 /// The exact sum where it can be represented, else the sum to 256 bits.
 fn plus(a: Scalar, b: Scalar) -> Scalar {
     a.add(b).unwrap_or_else(|| Scalar::Real(a.to_real() + b.to_real()))
-}
-
-/// A polynomial that can be printed.
-pub struct Shown<'a> {
-    ring: &'a Ring,
-    poly: &'a Poly,
-}
-
-impl fmt::Display for Shown<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.poly.is_zero() {
-            return f.write_str("0");
-        }
-        for (position, &(monomial, coefficient)) in self.poly.terms.iter().enumerate() {
-            f.write_str(match (position, coefficient < 0) {
-                (0, false) => "",
-                (0, true) => "-",
-                (_, false) => " + ",
-                (_, true) => " - ",
-            })?;
-            let mut factors: Vec<String> = Vec::new();
-            if coefficient.unsigned_abs() != 1 || monomial.is_one() {
-                factors.push(coefficient.unsigned_abs().to_string());
-            }
-            // Constants stand before what varies, as reports print it: d6·c4·s5.
-            for wanted in [true, false] {
-                for (index, info) in self.ring.vars.iter().enumerate() {
-                    let constant = Monomial::of(Var(index as u8), 1).masked(self.ring.varying).is_one();
-                    if constant == wanted {
-                        let exponent = monomial.exponent(Var(index as u8));
-                        factors.extend((0..exponent).map(|_| info.name.clone()));
-                    }
-                }
-            }
-            f.write_str(&factors.join("·"))?;
-        }
-        Ok(())
-    }
 }
