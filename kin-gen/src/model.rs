@@ -230,7 +230,9 @@ impl Work<'_> {
             elements: chain.base.iter().chain(&chain.elements[..third]).collect(),
             frames: Vec::new(),
         };
-        let hand = Stretch { elements: chain.elements[third..].iter().collect(), frames: Vec::new() };
+        // Fixed rows behind joint 6 belong to the tool's side.
+        let sixth = chain.frames.get(5).copied().unwrap_or(chain.elements.len());
+        let hand = Stretch { elements: chain.elements[third..sixth].iter().collect(), frames: Vec::new() };
         let start = self.exprs.mark();
 
         let frames = self.frames(Values::Rows, &hand)?;

@@ -64,6 +64,7 @@ impl<'a> Namer<'a> {
                     turn_names[*turn] = Some(suffix.clone());
                     Some(format!("{letter}{suffix}"))
                 }
+                Op::Constant(meaning, _) if meaning.as_unit().is_some() => None,
                 Op::Constant(meaning, _) => Some(self.unique(constant_name(self.ring, meaning))),
                 Op::Param(param) => Some(self.unique(self.ring.param_name(*param))),
                 Op::Slide(_) | Op::Entry(_) => None,

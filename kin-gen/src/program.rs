@@ -105,7 +105,8 @@ impl Program {
     pub fn flatten(name: &'static str, exprs: &Exprs, outputs: &[(String, Term)]) -> Program {
         let order = reachable(exprs, outputs);
         let position: BTreeMap<Id, usize> = order.iter().enumerate().map(|(i, id)| (*id, i)).collect();
-        let at = |id: Id| position.get(&id).copied().unwrap_or(0);
+        // What is not there gets an index that no program has, so that `validate` refuses it.
+        let at = |id: Id| position.get(&id).copied().unwrap_or(usize::MAX);
         let mut turn_index: Vec<usize> = Vec::new();
         let mut turn_at = |index: usize| {
             turn_index.iter().position(|t| *t == index).unwrap_or_else(|| {
@@ -129,8 +130,8 @@ impl Program {
                     Node::Sin(turn) => Op::Sin(turn_at(turn)),
                     Node::Add(a, b) => Op::Add(at(a), at(b)),
                     Node::Sub(a, b) => Op::Sub(at(a), at(b)),
-                    // 0 and 1 are outputs or nothing, never operands.
-                    Node::Zero | Node::One => Op::Constant(Poly::integer(1), 1.0),
+                    Node::Zero => Op::Constant(Poly::zero(), 0.0),
+                    Node::One => Op::Constant(Poly::integer(1), 1.0),
                     Node::Mul(a, b) => Op::Mul(at(a), at(b)),
                 };
                 Step { name: None, op }
@@ -312,11 +313,12 @@ impl fmt::Display for Mismatch {
 
 impl std::error::Error for Mismatch {}
 
-/// The nodes that the outputs need: sines and cosines first, then constants, then the rest, each by age.
+/// The nodes that the outputs need: sines and cosines first, then constants, then the rest, each by age. 0 and 1 are
+/// among them only as operands; as outputs they stand for themselves.
 fn reachable(exprs: &Exprs, outputs: &[(String, Term)]) -> Vec<Id> {
     let mut wanted = vec![false; exprs.nodes().len()];
     for (_, term) in outputs {
-        wanted[term.id.0 as usize] = true;
+        wanted[term.id.0 as usize] = !matches!(exprs.node(term.id), Node::Zero | Node::One);
     }
     for index in (0..wanted.len()).rev() {
         if wanted[index]
@@ -332,14 +334,10 @@ fn reachable(exprs: &Exprs, outputs: &[(String, Term)]) -> Vec<Id> {
             (0, turn.joints.first().map_or(usize::MAX, |(_, j)| *j), turn.joints.len())
         }
         Node::Param(_) | Node::Slide(_) | Node::Entry(_) => (1, 0, 0),
-        Node::Constant(_) => (2, 0, 0),
+        Node::Constant(_) | Node::Zero | Node::One => (2, 0, 0),
         _ => (3, 0, 0),
     };
-    let mut order: Vec<Id> = (0..wanted.len())
-        .filter(|i| wanted[*i])
-        .map(|i| Id(i as u32))
-        .filter(|id| !matches!(exprs.node(*id), Node::Zero | Node::One))
-        .collect();
+    let mut order: Vec<Id> = (0..wanted.len()).filter(|i| wanted[*i]).map(|i| Id(i as u32)).collect();
     order.sort_by_key(rank);
     order
 }

@@ -23,9 +23,9 @@ impl Linear {
         let mut linear = Linear::constant(Real::ZERO);
         for (varying, coefficient) in ring.by_varying(poly) {
             let value = ring.value(&coefficient).to_real();
-            match (varying.as_unit(), ring.params_in(&varying).as_slice()) {
-                (Some(1), _) => linear.constant = linear.constant + value,
-                (None, [index]) => linear.params.push((value, *index)),
+            match ring.params_in(&varying)?.as_slice() {
+                [] => linear.constant = linear.constant + value,
+                [index] => linear.params.push((value, *index)),
                 _ => return None,
             }
         }

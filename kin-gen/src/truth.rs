@@ -77,7 +77,7 @@ impl Symbols {
                     ring.param(param.name.clone(), index);
                 }
                 ParamKind::Angle => {
-                    ring.pair(&format!("_{}", param.name));
+                    ring.param_pair(&param.name, index);
                 }
             }
         }

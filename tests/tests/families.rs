@@ -36,17 +36,31 @@ fn moving(random: &mut Sampler, largest: f64) -> String {
     }
 }
 
+/// A fixed row behind joint 6, a base, a tool, couplings: each now and then.
 fn extras(random: &mut Sampler) -> String {
     let mut text = String::new();
-    if random.below(3) == 0 {
-        text.push_str(&format!(
-            "base: Tx({}) Rx(180) Rz({:.1});\n",
-            length(random),
-            random.between(-90.0, 90.0)
-        ));
+    if random.below(4) == 0 {
+        text.push_str(&format!("| | 25 | {} | 0 | {} |\n", length(random), twist(random)));
     }
     if random.below(3) == 0 {
-        text.push_str(&format!("tool: Tz({}) Tx({}) Ry({:.1});\n", length(random), length(random), 37.5));
+        let turn = random.between(-90.0, 90.0);
+        text.push_str(&format!("base: Tx({}) Rx(180) Rz({turn:.1});\n", length(random)));
+    }
+    if random.below(3) == 0 {
+        text.push_str(&format!("tool: Tz({}) Tx({}) Ry(37.5);\n", length(random), length(random)));
+    }
+    text
+}
+
+/// Revolute joints tied to each other at random: always undone by integers, as each line can be taken back.
+fn couplings(random: &mut Sampler) -> String {
+    let mut text = String::new();
+    for _ in 0..random.below(4) {
+        let (joint, other) = (random.below(6) + 1, random.below(6) + 1);
+        let sign = ["+", "-"][random.below(2)];
+        if joint != other {
+            text.push_str(&format!("couple: J{joint} {sign}= J{other};\n"));
+        }
     }
     text
 }
@@ -59,8 +73,7 @@ fn elbow_arm(random: &mut Sampler) -> String {
     let (d1, a1, d2, a2) = (maybe_length(random), maybe_length(random), maybe_length(random), length(random));
     let (d3, a3, d4, d6) = (maybe_length(random), maybe_length(random), length(random), maybe_length(random));
     let fixed = if random.below(3) == 0 { "|  | 0 | 0.25 | 0 | 0 |\n" } else { "" };
-    let couple = ["", "couple: J3 -= J2;\n", "couple: J3 += J2, J6 -= J5;\n"][random.below(3)];
-    let extras = extras(random);
+    let (extras, couple) = (extras(random), couplings(random));
     format!(
         "struct Any(standard, m, deg);
 | joint | theta | d    | a    | alpha |
@@ -70,7 +83,7 @@ fn elbow_arm(random: &mut Sampler) -> String {
 | J4 | {} | {d4} | 0 | {t4} |
 | J5 | {} | 0 | 0 | {t5} |
 | J6 | {} | {d6} | {} | {:.1} |
-{couple}{extras}",
+{extras}{couple}",
         theta[0],
         theta[1],
         theta[2],

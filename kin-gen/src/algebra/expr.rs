@@ -6,9 +6,10 @@
 
 use std::collections::BTreeMap;
 
-use super::ring::{Poly, Ring};
+use super::ring::{Factor, Poly, Ring};
 pub use super::turn::Turn;
 use super::vector::Algebra;
+use crate::chain::AngleSum;
 use crate::number::Angle;
 
 /// A node of the graph.
@@ -222,18 +223,31 @@ impl Exprs {
         self.leaf(Node::Constant(index)).negated_if(negative)
     }
 
-    /// A polynomial in constants and length parameters, linear in the parameters.
+    /// A polynomial in constants and parameters.
     pub fn polynomial(&mut self, meaning: &Poly) -> Term {
         let mut sum = Term::ZERO;
         for (varying, coefficient) in self.ring.by_varying(meaning) {
             let mut term = self.constant(coefficient);
-            for index in self.ring.params_in(&varying) {
-                let param = self.param(index);
-                term = self.mul(term, param);
+            // What is fixed in the arm varies with its parameters only.
+            for factor in self.ring.factors_in(&varying).unwrap_or_default() {
+                let factor = self.factor(factor);
+                term = self.mul(term, factor);
             }
             sum = self.add(sum, term);
         }
         sum
+    }
+
+    fn factor(&mut self, factor: Factor) -> Term {
+        let turn = |index| Turn {
+            rest: AngleSum { params: vec![(1, index)], ..AngleSum::default() },
+            ..Turn::default()
+        };
+        match factor {
+            Factor::Length(index) => self.param(index),
+            Factor::Cosine(index) => self.cos_sin(&turn(index)).0,
+            Factor::Sine(index) => self.cos_sin(&turn(index)).1,
+        }
     }
 
     /// A length parameter.

@@ -30,6 +30,8 @@ pub enum VarKind {
     ConstantPair(Angle),
     /// The cosine (then the next variable is the sine) of something that varies.
     Pair,
+    /// The same, of an angle parameter, by its index.
+    ParamPair(usize),
     /// The sine that belongs to the variable before it.
     Sine,
     /// A length parameter, by its index.
@@ -44,6 +46,17 @@ pub(super) struct VarInfo {
     kind: VarKind,
     /// The value, of a constant.
     value: Option<Scalar>,
+}
+
+/// A parameter as a factor of a monomial.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Factor {
+    /// A length parameter, by its index.
+    Length(usize),
+    /// The cosine of an angle parameter.
+    Cosine(usize),
+    /// The sine of an angle parameter.
+    Sine(usize),
 }
 
 /// The variables and the work done so far. A result is trustworthy only while [`Ring::exhausted`] is false.
@@ -116,16 +129,39 @@ impl Ring {
         info.map_or_else(String::new, |v| v.name.clone())
     }
 
-    /// The length parameters in the first monomial, each as often as its exponent says.
-    pub fn params_in(&self, a: &Poly) -> Vec<usize> {
-        let Some((monomial, _)) = a.terms.first() else { return Vec::new() };
+    /// The length parameters in the first monomial, each as often as its exponent says; `None` if anything else that
+    /// varies is in it.
+    pub fn params_in(&self, a: &Poly) -> Option<Vec<usize>> {
+        let factors = self.factors_in(a)?.into_iter();
+        factors.map(|f| if let Factor::Length(index) = f { Some(index) } else { None }).collect()
+    }
+
+    /// The parameters in the first monomial, each as often as its exponent says; `None` if anything else that varies is
+    /// in it.
+    pub fn factors_in(&self, a: &Poly) -> Option<Vec<Factor>> {
         let mut found = Vec::new();
+        let Some((monomial, _)) = a.terms.first() else { return Some(found) };
         for (position, info) in self.vars.iter().enumerate() {
-            if let VarKind::Param(index) = info.kind {
-                found.extend((0..monomial.exponent(Var(position as u8))).map(|_| index));
+            let exponent = monomial.exponent(Var(position as u8));
+            if exponent == 0 || info.value.is_some() {
+                continue;
             }
+            let before = position.checked_sub(1).map(|i| &self.vars[i].kind);
+            let factor = match (&info.kind, before) {
+                (VarKind::Param(index), _) => Factor::Length(*index),
+                (VarKind::ParamPair(index), _) => Factor::Cosine(*index),
+                (VarKind::Sine, Some(VarKind::ParamPair(index))) => Factor::Sine(*index),
+                _ => return None,
+            };
+            found.extend((0..exponent).map(|_| factor));
         }
-        found
+        Some(found)
+    }
+
+    /// A new (cosine, sine) pair of an angle parameter.
+    pub fn param_pair(&mut self, name: &str, index: usize) -> (Var, Var) {
+        let cos = self.push(format!("c_{name}"), VarKind::ParamPair(index), None);
+        (cos, self.push(format!("s_{name}"), VarKind::Sine, None))
     }
 
     /// A new (cosine, sine) pair of something that varies, named `c…` and `s…`.

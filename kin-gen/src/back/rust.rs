@@ -499,7 +499,7 @@ fn negated<'a>(program: &Program, output: &'a Output) -> Option<&'a str> {
 
 fn limits(joint: &JointFacts) -> String {
     match joint.limits {
-        Some((low, high)) => format!("Some(({low:?}, {high:?}))"),
-        None => "None".to_owned(),
+        Some((low, high)) => format!("::core::option::Option::Some(({low:?}, {high:?}))"),
+        None => "::core::option::Option::None".to_owned(),
     }
 }

@@ -84,6 +84,9 @@ pub fn recognise(home: &mut Home<'_>, carried: &V3<Poly>) -> Result<Base, Refusa
     let origin = vector::add(&mut home.ring, &first.point, &to_foot);
     let y = vector::cross(&mut home.ring, &first.direction, &normal);
     let axes = vector::from_columns(&normal, &y, &first.direction);
+    let axes = vector::product(&mut home.ring, &home.base.rotation.clone(), &axes);
+    let from_base = vector::apply(&mut home.ring, &home.base.rotation.clone(), &origin);
+    let origin_in_world = vector::add(&mut home.ring, &home.base.position.clone(), &from_base);
     let shoulder = vector::dot(&mut home.ring, &offset12, &normal);
     let from_origin = vector::sub(&mut home.ring, carried, &origin);
     let lateral = vector::dot(&mut home.ring, &second.direction, &from_origin);
@@ -98,7 +101,7 @@ pub fn recognise(home: &mut Home<'_>, carried: &V3<Poly>) -> Result<Base, Refusa
     let twist = (home.ring.value(&sine).to_real(), home.ring.value(&cosine).to_real());
     Ok(Base {
         axes,
-        origin,
+        origin: origin_in_world,
         shoulder: home.linear(&shoulder)?,
         twist,
         lateral: home.linear(&lateral)?,

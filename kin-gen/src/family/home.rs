@@ -1,5 +1,6 @@
 //! The arm at home: every joint at zero, the offsets of its cells left out, so that each axis is a line that only
-//! constants and length parameters move.
+//! constants and length parameters move. Seen from the first row's frame: what the arm is does not depend on where it
+//! stands.
 
 use super::Refusal;
 use crate::algebra::frame::{Stretch, Values, joint_turn};
@@ -39,8 +40,8 @@ pub struct Home<'a> {
     pub frames: Vec<RawPose>,
     /// The tool point.
     pub tip: RawPose,
-    /// The tool's orientation in the last row's frame.
-    pub tool: RawPose,
+    /// The first row's frame in the world.
+    pub base: RawPose,
     /// The arm's reach at its nominal parameters.
     pub reach: Real,
 }
@@ -49,9 +50,13 @@ impl<'a> Home<'a> {
     /// `None` if an exact value cannot be represented.
     pub fn new(chain: &'a Chain, symbols: &'a Symbols) -> Option<Home<'a>> {
         let mut ring = symbols.ring(chain);
-        let raw = truth::walk(&mut ring, symbols, chain, Values::Home, &truth::whole(chain))?;
-        let tool = Stretch { elements: chain.tool.iter().collect(), frames: Vec::new() };
-        let tool = truth::walk(&mut ring, symbols, chain, Values::Home, &tool)?.tip;
+        let base = Stretch { elements: chain.base.iter().collect(), frames: Vec::new() };
+        let base = truth::walk(&mut ring, symbols, chain, Values::Home, &base)?.tip;
+        let rows = Stretch {
+            elements: chain.elements.iter().chain(&chain.tool).collect(),
+            frames: chain.frames.clone(),
+        };
+        let raw = truth::walk(&mut ring, symbols, chain, Values::Home, &rows)?;
         let mut axes: Vec<Line> = Vec::new();
         for (joint, direction, point) in raw.axes {
             let numbers = direction.clone().map(|d| ring.value(&d).to_real());
@@ -69,7 +74,7 @@ impl<'a> Home<'a> {
             axes,
             frames: raw.frames,
             tip: raw.tip,
-            tool,
+            base,
             reach: chain.reach().to_real(),
         })
     }

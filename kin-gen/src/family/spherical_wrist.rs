@@ -65,7 +65,9 @@ pub fn recognise(home: &mut Home<'_>) -> Result<Inverse, Refusal> {
     let tip = home.tip.clone();
     let from_tip = vector::sub(&mut home.ring, &centre, &tip.position);
     let centre_in_tool = vector::apply(&mut home.ring, &vector::transpose(&tip.rotation), &from_tip);
-    let tool_to_frame6 = vector::transpose(&home.tool.rotation);
+    // Behind joint 6 nothing moves: what lies between the tool and frame 6 is the same in every position.
+    let frame6 = home.frames[5].rotation.clone();
+    let tool_to_frame6 = vector::product(&mut home.ring, &vector::transpose(&tip.rotation), &frame6);
     Ok(Inverse::Pose(Box::new(SphericalWrist {
         base,
         wrist,
