@@ -103,11 +103,14 @@ fn compile_into(tokens: &[Token], report: &mut Report) -> Option<Arm> {
             Some(arm)
         }
         Err(mismatch) => {
-            report.error_help(
-                chain.place,
-                format!("no proved code for {}: {mismatch}", chain.name),
-                "this is a limit or an internal error of kin-gen, not a mistake in the table; please report it",
-            );
+            let help = match mismatch {
+                program::Mismatch::TooLarge => {
+                    "the proof grows with each joint and each angle that is no quarter turn; its size is bounded so that \
+                     compiling ends: declare the arm in two parts, or with fewer odd angles"
+                }
+                _ => "this is an internal error of kin-gen, not a mistake in the table; please report it",
+            };
+            report.error_help(chain.place, format!("no proved code for {}: {mismatch}", chain.name), help);
             None
         }
     }

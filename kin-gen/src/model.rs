@@ -7,14 +7,16 @@ use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::{self, Frames, Stretch, Values};
 use crate::algebra::ring::{Poly, Ring};
 use crate::algebra::vector::{self, M3, V3};
-use crate::chain::{Chain, JointKind, LengthUnit, Motion, ParamKind};
-use crate::derive::{jacobian, pose, wrist};
+use crate::chain::{Chain, Element, JointKind, LengthUnit, Motion, ParamKind};
+use crate::derive::jacobian::{self, Column};
+use crate::derive::pose::{self, TermPose};
+use crate::derive::wrist;
 use crate::family::spherical_wrist::SphericalWrist;
 use crate::family::{self, Inverse, position::Position};
 use crate::number::Real;
 use crate::program::{Mismatch, Program};
 use crate::quantity::{Linear, Quantity};
-use crate::truth::{self, Raw, Symbols};
+use crate::truth::{self, Outers, Raw, Symbols};
 
 /// A joint as the generated code lists it.
 #[derive(Clone, PartialEq, Debug)]
@@ -124,13 +126,17 @@ pub struct Arm {
     pub ring: Ring,
     /// What the ring's variables stand for.
     pub symbols: Symbols,
+    /// Its base and tool, as the truth of its programs has them.
+    pub outers: Outers,
 }
 
 /// Derives and proves everything; `Err` is an internal error of this crate or an arm too large to be proved.
 pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
     let symbols = Symbols::of(chain);
-    let (inverse, ring) = family::recognise(chain, &symbols);
-    let mut work = Work { chain, symbols, exprs: Exprs::new(ring) };
+    let mut ring = symbols.ring(chain);
+    let outers = truth::outers(&mut ring, &symbols, chain).ok_or(Mismatch::TooLarge)?;
+    let (inverse, ring) = family::recognise(chain, &symbols, ring, &outers);
+    let mut work = Work { chain, symbols, outers, exprs: Exprs::new(ring) };
     let forward = work.forward()?;
     let solver = match inverse {
         Inverse::Pose(geometry) => Solver::Pose(Box::new(work.pose_solver(*geometry)?)),
@@ -154,6 +160,7 @@ pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
         solver,
         ring: work.exprs.ring,
         symbols: work.symbols,
+        outers: work.outers,
     })
 }
 
@@ -166,6 +173,7 @@ fn joint_facts(joint: &crate::chain::Joint) -> JointFacts {
 struct Work<'a> {
     chain: &'a Chain,
     symbols: Symbols,
+    outers: Outers,
     exprs: Exprs,
 }
 
@@ -192,30 +200,37 @@ impl Work<'_> {
     }
 
     fn forward(&mut self) -> Result<Forward, Mismatch> {
-        let whole = truth::whole(self.chain);
-        let frames = self.frames(Values::Commanded, &whole)?;
-        let raw = self.raw(Values::Commanded, &whole)?;
-        let columns = truth::jacobian(&self.exprs.ring, &self.symbols, self.chain, &raw);
+        let frames = self.whole_frames()?;
+        let chain = self.chain;
+        let ring = &mut self.exprs.ring;
+        let raw = truth::whole(ring, &self.symbols, chain, Values::Commanded, &self.outers);
+        let raw = raw.ok_or(Mismatch::TooLarge)?;
+        let columns = truth::jacobian(&self.exprs.ring, &self.symbols, chain, &raw);
         let columns: Vec<Poly> = columns.into_iter().flatten().collect();
         let tip = pose_polys(&raw.tip);
         let start = self.exprs.mark();
 
         let derived = pose::fk(&mut self.exprs, &frames);
+        let derived = self.placed(&derived, true);
         let fk = self.program("fk", &derived.outputs(""), &tip)?;
         self.exprs.roll_back(start);
 
         let derived = pose::all_frames(&mut self.exprs, &frames);
-        let outputs: Vec<_> =
-            derived.iter().enumerate().flat_map(|(i, pose)| pose.outputs(&format!("_{}", i + 1))).collect();
+        let derived: Vec<TermPose> = derived.iter().map(|frame| self.placed(frame, false)).collect();
+        let named = |(i, pose): (usize, &TermPose)| pose.outputs(&format!("_{}", i + 1));
+        let outputs: Vec<_> = derived.iter().enumerate().flat_map(named).collect();
         let truth: Vec<Poly> = raw.frames.iter().flat_map(pose_polys).collect();
         let all_frames = self.program("frames", &outputs, &truth)?;
         self.exprs.roll_back(start);
 
-        let derived = jacobian::jacobian(&mut self.exprs, &frames, &self.chain.couple);
+        let derived = jacobian::jacobian(&mut self.exprs, &frames, &chain.couple);
+        let derived = self.placed_columns(derived);
         let jacobian = self.program("jacobian", &jacobian::outputs(&derived), &columns)?;
         self.exprs.roll_back(start);
 
-        let (derived, derived_columns) = jacobian::fk_jacobian(&mut self.exprs, &frames, &self.chain.couple);
+        let (derived, derived_columns) = jacobian::fk_jacobian(&mut self.exprs, &frames, &chain.couple);
+        let derived = self.placed(&derived, true);
+        let derived_columns = self.placed_columns(derived_columns);
         let truth: Vec<Poly> = tip.into_iter().chain(columns).collect();
         let outputs = jacobian::pose_outputs(&derived, &derived_columns);
         let fk_jacobian = self.program("fk_jacobian", &outputs, &truth)?;
@@ -223,13 +238,61 @@ impl Work<'_> {
         Ok(Forward { fk, frames: all_frames, jacobian, fk_jacobian })
     }
 
+    /// The frames of the chain up to the tool point. A general base stands apart; of a general tool only its point is
+    /// in them.
+    fn whole_frames(&mut self) -> Result<Frames, Mismatch> {
+        let chain = self.chain;
+        let own = |elements: &'_ [Element], apart: bool| if apart { Vec::new() } else { elements.to_vec() };
+        let base = own(&chain.base, self.outers.base.general);
+        let tool = own(&chain.tool, self.outers.tool.general);
+        let elements = base.iter().chain(&chain.elements).chain(&tool).collect();
+        let stretch = Stretch { elements, frames: chain.frames.iter().map(|f| f + base.len()).collect() };
+        let mut frames = self.frames(Values::Commanded, &stretch)?;
+        if self.outers.tool.general {
+            let point = wrist::constants(&mut self.exprs, &self.outers.tool.pose.position);
+            let offset = vector::apply(&mut self.exprs, &frames.tip.local, &point);
+            frames.tip.shift = vector::add(&mut self.exprs, &frames.tip.shift, &offset);
+        }
+        Ok(frames)
+    }
+
+    /// A derived pose with the base, and the turn of the tool, where these stand apart.
+    fn placed(&mut self, pose: &TermPose, with_tool: bool) -> TermPose {
+        let mut pose = *pose;
+        if with_tool && self.outers.tool.general {
+            let turn = wrist::constant_matrix(&mut self.exprs, &self.outers.tool.pose.rotation);
+            pose.rotation = vector::product(&mut self.exprs, &pose.rotation, &turn);
+        }
+        if self.outers.base.general {
+            let turn = wrist::constant_matrix(&mut self.exprs, &self.outers.base.pose.rotation);
+            let point = wrist::constants(&mut self.exprs, &self.outers.base.pose.position);
+            pose.rotation = vector::product(&mut self.exprs, &turn, &pose.rotation);
+            let turned = vector::apply(&mut self.exprs, &turn, &pose.position);
+            pose.position = vector::add(&mut self.exprs, &point, &turned);
+        }
+        pose
+    }
+
+    fn placed_columns(&mut self, columns: Vec<Column>) -> Vec<Column> {
+        if !self.outers.base.general {
+            return columns;
+        }
+        let turn = wrist::constant_matrix(&mut self.exprs, &self.outers.base.pose.rotation);
+        let place = |[a, b, c, x, y, z]: Column| {
+            let [a, b, c] = vector::apply(&mut self.exprs, &turn, &[a, b, c]);
+            let [x, y, z] = vector::apply(&mut self.exprs, &turn, &[x, y, z]);
+            [a, b, c, x, y, z]
+        };
+        columns.into_iter().map(place).collect()
+    }
+
     fn pose_solver(&mut self, geometry: SphericalWrist) -> Result<PoseSolver, Mismatch> {
         let chain = self.chain;
         let third = chain.frames.get(2).copied().unwrap_or(0);
-        let arm = Stretch {
-            elements: chain.base.iter().chain(&chain.elements[..third]).collect(),
-            frames: Vec::new(),
-        };
+        let apart = self.outers.base.general;
+        let base: &[Element] = if apart { &[] } else { &chain.base };
+        let arm =
+            Stretch { elements: base.iter().chain(&chain.elements[..third]).collect(), frames: Vec::new() };
         // Fixed rows behind joint 6 belong to the tool's side.
         let sixth = chain.frames.get(5).copied().unwrap_or(chain.elements.len());
         let hand = Stretch { elements: chain.elements[third..sixth].iter().collect(), frames: Vec::new() };
@@ -242,20 +305,26 @@ impl Work<'_> {
         self.exprs.roll_back(start);
 
         let frames = self.frames(Values::Rows, &arm)?;
-        let raw_arm = self.raw(Values::Rows, &arm)?;
+        let mut raw_arm = self.raw(Values::Rows, &arm)?.tip;
+        if apart {
+            raw_arm = truth::compose(&mut self.exprs.ring, &self.outers.base.pose, &raw_arm);
+        }
         let after_frames = self.exprs.mark();
         let derived = wrist::r03(&mut self.exprs, &frames, &geometry.centre_in_frame3);
+        let derived = self.placed(&derived, false);
         let ring = &mut self.exprs.ring;
-        let centre = vector::apply(ring, &raw_arm.tip.rotation, &geometry.centre_in_frame3);
-        let centre = vector::add(ring, &raw_arm.tip.position, &centre);
-        let truth: Vec<Poly> = flat(&raw_arm.tip.rotation).into_iter().chain(centre.clone()).collect();
+        let centre = vector::apply(ring, &raw_arm.rotation, &geometry.centre_in_frame3);
+        let centre = vector::add(ring, &raw_arm.position, &centre);
+        let truth: Vec<Poly> = flat(&raw_arm.rotation).into_iter().chain(centre.clone()).collect();
         let r03 = self.program("r03", &derived.outputs(""), &truth)?;
         self.exprs.roll_back(after_frames);
 
-        let derived = wrist::rotation_of_pose(&mut self.exprs, &frames, &geometry.tool_to_frame6);
+        let unturned = vector::identity(&self.exprs.ring);
+        let before = if apart { &self.outers.base.pose.rotation } else { &unturned };
+        let derived = wrist::rotation_of_pose(&mut self.exprs, &frames, before, &geometry.tool_to_frame6);
         let given = self.given_rotation();
         let ring = &mut self.exprs.ring;
-        let left = vector::product(ring, &vector::transpose(&raw_arm.tip.rotation), &given);
+        let left = vector::product(ring, &vector::transpose(&raw_arm.rotation), &given);
         let truth = vector::product(ring, &left, &geometry.tool_to_frame6);
         let wrist_rotation = self.program("wrist_rotation", &matrix_outputs(&derived), &flat(&truth))?;
         self.exprs.roll_back(start);

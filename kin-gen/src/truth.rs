@@ -7,7 +7,7 @@ use crate::algebra::expr::Turn;
 use crate::algebra::frame::{Stretch, Values, axis_index, joint_turn};
 use crate::algebra::ring::{Poly, Ring, Var};
 use crate::algebra::vector::{self, M3, V3};
-use crate::chain::{Chain, Distance, JointKind, LengthAtom, Motion, ParamKind};
+use crate::chain::{Chain, Distance, Element, JointKind, LengthAtom, Motion, ParamKind};
 use crate::number::Angle;
 
 /// Which variable of the ring stands for what. A function of the chain's shape alone.
@@ -291,11 +291,92 @@ pub fn jacobian(ring: &Ring, symbols: &Symbols, chain: &Chain, raw: &Raw) -> Vec
         .collect()
 }
 
-/// The whole chain: base, rows, tool.
-pub fn whole(chain: &Chain) -> Stretch<'_> {
-    let before = chain.base.len();
-    Stretch {
-        elements: chain.base.iter().chain(&chain.elements).chain(&chain.tool).collect(),
-        frames: chain.frames.iter().map(|f| f + before).collect(),
+/// A constant frame outside the joints: the base or the tool.
+#[derive(Clone, Debug)]
+pub struct Outer {
+    /// The frame.
+    pub pose: RawPose,
+    /// Whether it is turned by more than quarter turns and one other turn about an axis. Then its entries are constants
+    /// of their own, each with its exact value: nothing about them is used but that they are what they are, and
+    /// polynomials stay small.
+    pub general: bool,
+}
+
+/// The base and the tool.
+#[derive(Clone, Debug)]
+pub struct Outers {
+    /// From the world to the first row.
+    pub base: Outer,
+    /// From the last row to the tool point.
+    pub tool: Outer,
+}
+
+/// Makes the outer frames of an arm; `None` if an exact angle cannot be represented.
+pub fn outers(ring: &mut Ring, symbols: &Symbols, chain: &Chain) -> Option<Outers> {
+    let base = outer(ring, symbols, chain, &chain.base, "base")?;
+    Some(Outers { base, tool: outer(ring, symbols, chain, &chain.tool, "tool")? })
+}
+
+/// A turn about one axis leaves five entries of a rotation 0 or ±1.
+const ENTRIES_OF_ONE_TURN: usize = 4;
+
+fn outer(
+    ring: &mut Ring,
+    symbols: &Symbols,
+    chain: &Chain,
+    elements: &[Element],
+    name: &str,
+) -> Option<Outer> {
+    let stretch = Stretch { elements: elements.iter().collect(), frames: Vec::new() };
+    let pose = walk(ring, symbols, chain, Values::Home, &stretch)?.tip;
+    let rotation = pose.rotation.iter().flatten();
+    // With a parameter in it there is no value to stand for it.
+    let constant = rotation.clone().chain(&pose.position).all(|entry| ring.is_constant(entry));
+    let turned = rotation.clone().filter(|entry| entry.as_unit().is_none()).count();
+    if !constant || turned <= ENTRIES_OF_ONE_TURN {
+        return Some(Outer { pose, general: false });
     }
+    let mut named = |entry: &Poly, suffix: String| {
+        if entry.as_unit().is_some() || ring.is_length(entry) {
+            return entry.clone();
+        }
+        let value = ring.value(entry);
+        let var = ring.constant(format!("{name}{suffix}"), value);
+        ring.var(var)
+    };
+    let rotation =
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| named(&pose.rotation[i][j], format!("{}{}", i + 1, j + 1))));
+    let position = [0, 1, 2].map(|i| named(&pose.position[i], format!("_{}", ["x", "y", "z"][i])));
+    Some(Outer { pose: RawPose { rotation, position }, general: true })
+}
+
+/// One frame after another.
+pub fn compose(ring: &mut Ring, first: &RawPose, then: &RawPose) -> RawPose {
+    let offset = vector::apply(ring, &first.rotation, &then.position);
+    RawPose {
+        rotation: vector::product(ring, &first.rotation, &then.rotation),
+        position: vector::add(ring, &first.position, &offset),
+    }
+}
+
+/// The whole chain, base and tool included; `None` if an exact angle cannot be represented.
+pub fn whole(
+    ring: &mut Ring,
+    symbols: &Symbols,
+    chain: &Chain,
+    values: Values,
+    outers: &Outers,
+) -> Option<Raw> {
+    let rows = Stretch { elements: chain.elements.iter().collect(), frames: chain.frames.clone() };
+    let raw = walk(ring, symbols, chain, values, &rows)?;
+    let base = &outers.base.pose;
+    let mut axes = Vec::new();
+    for (joint, direction, point) in raw.axes {
+        let from_base = vector::apply(ring, &base.rotation, &point);
+        let direction = vector::apply(ring, &base.rotation, &direction);
+        axes.push((joint, direction, vector::add(ring, &base.position, &from_base)));
+    }
+    let frames = raw.frames.iter().map(|frame| compose(ring, base, frame)).collect();
+    let flange = compose(ring, base, &raw.tip);
+    Some(Raw { axes, frames, tip: compose(ring, &flange, &outers.tool.pose) })
 }

@@ -4,7 +4,7 @@ use kin_runtime::prelude::*;
 use tests::interpreted::Interpreted;
 use tests::sample::Sampler;
 
-const ARMS: usize = 60;
+const ARMS: usize = 30;
 const POSES: usize = 30;
 
 /// A random number with a few digits, of either sign, never near zero.
@@ -103,7 +103,7 @@ fn telescope_arm(random: &mut Sampler) -> String {
     let theta: Vec<String> = (0..5).map(|_| moving(random, 170.0)).collect();
     let (d1, a1, d2, a2) =
         (maybe_length(random), maybe_length(random), maybe_length(random), maybe_length(random));
-    let (a3, d6, extras) = (maybe_length(random), maybe_length(random), extras(random));
+    let (a3, d6, extras) = (maybe_length(random), length(random), extras(random));
     format!(
         "struct Any(standard, m, deg);
 | joint | theta | d    | a    | alpha |

@@ -39,6 +39,49 @@ dh! {
     tool: Tz(0.12);
 }
 
+dh! {
+    /// Where an arm stands and what it holds is open, and one drive reaches across the base.
+    pub struct Mounted(standard, m, deg);
+
+    param lean = 10deg; param hold = 25deg; param flange = 0.05;
+
+    | joint | theta | d       | a      | alpha |
+    |-------|-------|---------|--------|-------|
+    | J1    | q     | 0.6     | 0      | 90    |
+    | J2    | q     | 0       | 0.4318 | 0     |
+    | J3    | q     | 0.15005 | 0.0203 | -90   |
+    | J4    | q     | 0.4318  | 0      | 90    |
+    | J5    | q     | 0       | 0      | -90   |
+    | J6    | q     | 0.1     | 0      | 0     |
+    |       | hold  | flange  | 0.02   | 0     |
+
+    base: Rx(lean) Tz(1);
+    tool: Ry(90) Tz(0.1);
+    couple: J4 += J1, J6 -= J5;
+}
+
+#[test]
+fn angles_of_base_tool_and_flange_may_be_open() {
+    let mut random = Sampler::new(13);
+    for _ in 0..200 {
+        let arm = Mounted {
+            lean: random.between(-3.0, 3.0),
+            hold: random.between(-3.0, 3.0),
+            flange: random.between(-0.2, 0.2),
+        };
+        let q = Joints::from(random.angles::<6>());
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        let near = |s: &Joints<f64, 6>| {
+            (0..6).all(|i| ((s[i] - q[i] + 3.0).rem_euclid(std::f64::consts::TAU) - 3.0).abs() < 1e-6)
+        };
+        assert!(solutions.iter().any(|s| near(&s.q)), "{arm:?} {q}\n{solutions}");
+        for solution in solutions.iter() {
+            assert!(miss(&arm.fk(&solution.q), &pose) < 1e-14);
+        }
+    }
+}
+
 /// The largest entry of the difference.
 fn miss(a: &Pose<f64>, b: &Pose<f64>) -> f64 {
     let rotation = (a.rotation.matrix() - b.rotation.matrix()).amax();

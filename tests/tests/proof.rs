@@ -53,8 +53,8 @@ fn subject(text: &str) -> Subject {
     let chain = chain(text);
     let arm = model::derive(&chain).expect("derived and proved");
     let (mut ring, symbols) = (arm.ring.clone(), arm.symbols.clone());
-    let raw = truth::walk(&mut ring, &symbols, &chain, Values::Commanded, &truth::whole(&chain))
-        .expect("representable");
+    let raw =
+        truth::whole(&mut ring, &symbols, &chain, Values::Commanded, &arm.outers).expect("representable");
     let tip: Vec<Poly> = raw.tip.rotation.iter().flatten().chain(&raw.tip.position).cloned().collect();
     let columns = truth::jacobian(&ring, &symbols, &chain, &raw);
     let columns: Vec<Poly> = columns.into_iter().flatten().collect();

@@ -18,8 +18,8 @@ use crate::number::{Angle, Real, Scalar};
 /// Most variables of one ring; four bits of exponent for each.
 pub const MAX_VARS: usize = 128;
 
-/// Most term products of one derivation: beyond it the proof would take minutes in an unoptimised macro.
-const WORK_LIMIT: u64 = 20_000_000;
+/// Most term products of one derivation: beyond it the proof would take a minute in an unoptimised macro.
+const WORK_LIMIT: u64 = 3_000_000;
 
 /// What a variable stands for.
 #[derive(Clone, PartialEq, Debug)]
@@ -193,6 +193,14 @@ impl Ring {
         };
         let (cos, sin) = (self.var(Var(index as u8)), self.var(Var(index as u8 + 1)));
         (cos, if positive { sin } else { sin.neg() })
+    }
+
+    /// Whether it is a multiple of one constant that is no cosine or sine.
+    pub fn is_length(&self, a: &Poly) -> bool {
+        let [(monomial, _)] = a.terms.as_slice() else { return false };
+        let mut factors = self.vars.iter().enumerate().filter(|(i, _)| monomial.exponent(Var(*i as u8)) > 0);
+        let only = factors.next().is_some_and(|(_, info)| info.kind == VarKind::Constant);
+        only && factors.next().is_none()
     }
 
     /// The polynomial that is this variable.

@@ -73,11 +73,12 @@ fn given(exprs: &mut Exprs) -> (M3<Term>, V3<Term>) {
 }
 
 /// Polynomials in lengths, constants and length parameters as terms.
-fn constants(exprs: &mut Exprs, v: &V3<Poly>) -> V3<Term> {
+pub fn constants(exprs: &mut Exprs, v: &V3<Poly>) -> V3<Term> {
     v.clone().map(|p| exprs.polynomial(&p))
 }
 
-fn constant_matrix(exprs: &mut Exprs, m: &M3<Poly>) -> M3<Term> {
+/// A matrix of such polynomials as terms.
+pub fn constant_matrix(exprs: &mut Exprs, m: &M3<Poly>) -> M3<Term> {
     m.clone().map(|row| constants(exprs, &row))
 }
 
@@ -93,11 +94,9 @@ pub fn point_of_pose(exprs: &mut Exprs, local: &V3<Poly>, axes: &M3<Poly>, origi
     vector::apply(exprs, &axes, &from_origin)
 }
 
-/// ³R₆ = ⁰R₃ᵀ·R·Q of a given rotation R, up through the frames of the first three joints.
-pub fn rotation_of_pose(exprs: &mut Exprs, frames: &Frames, after: &M3<Poly>) -> M3<Term> {
-    let (rotation, _) = given(exprs);
-    let after = constant_matrix(exprs, after);
-    let wanted = vector::product(exprs, &rotation, &after);
+/// ³R₆ = ⁰R₃ᵀ·Bᵀ·R·Q of a given rotation R, up through the frames of the first three joints.
+pub fn rotation_of_pose(exprs: &mut Exprs, frames: &Frames, before: &M3<Poly>, after: &M3<Poly>) -> M3<Term> {
+    let wanted = framed(exprs, before, after);
     let mut d = Deriver::new(exprs, frames, Style::Descend);
     let columns = [0, 1, 2].map(|i| {
         let mut v = vector::column(&wanted, i);

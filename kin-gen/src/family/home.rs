@@ -9,7 +9,7 @@ use crate::algebra::vector::{self, V3};
 use crate::chain::{Chain, JointKind, LengthUnit, Motion, ParamKind};
 use crate::number::Real;
 use crate::quantity::{Linear, roundoff};
-use crate::truth::{self, RawPose, Symbols};
+use crate::truth::{self, Outers, RawPose, Symbols};
 
 /// A joint axis at home.
 #[derive(Clone, Debug)]
@@ -48,15 +48,11 @@ pub struct Home<'a> {
 
 impl<'a> Home<'a> {
     /// `None` if an exact value cannot be represented.
-    pub fn new(chain: &'a Chain, symbols: &'a Symbols) -> Option<Home<'a>> {
-        let mut ring = symbols.ring(chain);
-        let base = Stretch { elements: chain.base.iter().collect(), frames: Vec::new() };
-        let base = truth::walk(&mut ring, symbols, chain, Values::Home, &base)?.tip;
-        let rows = Stretch {
-            elements: chain.elements.iter().chain(&chain.tool).collect(),
-            frames: chain.frames.clone(),
-        };
+    pub fn new(chain: &'a Chain, symbols: &'a Symbols, mut ring: Ring, outers: &Outers) -> Option<Home<'a>> {
+        let rows = Stretch { elements: chain.elements.iter().collect(), frames: chain.frames.clone() };
         let raw = truth::walk(&mut ring, symbols, chain, Values::Home, &rows)?;
+        let tip = truth::compose(&mut ring, &raw.tip, &outers.tool.pose);
+        let base = outers.base.pose.clone();
         let mut axes: Vec<Line> = Vec::new();
         for (joint, direction, point) in raw.axes {
             let numbers = direction.clone().map(|d| ring.value(&d).to_real());
@@ -73,7 +69,7 @@ impl<'a> Home<'a> {
             ring,
             axes,
             frames: raw.frames,
-            tip: raw.tip,
+            tip,
             base,
             reach: chain.reach().to_real(),
         })

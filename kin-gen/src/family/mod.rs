@@ -17,7 +17,7 @@ pub mod spherical_wrist;
 
 use crate::algebra::ring::Ring;
 use crate::chain::Chain;
-use crate::truth::Symbols;
+use crate::truth::{Outers, Symbols};
 use home::Home;
 
 /// What a recognised family solves.
@@ -70,7 +70,7 @@ pub const ALL: [Family; 2] = [
 /// The family that an arm belongs to, or the reason why it belongs to none.
 ///
 /// The ring that comes back knows every constant that the geometry is made of.
-pub fn recognise(chain: &Chain, symbols: &Symbols) -> (Inverse, Ring) {
+pub fn recognise(chain: &Chain, symbols: &Symbols, ring: Ring, outers: &Outers) -> (Inverse, Ring) {
     let demanded = chain.demanded.as_ref().map(|d| d.value.as_str());
     let joints = chain.joints.len();
     let candidates = ALL.iter().filter(|f| match demanded {
@@ -88,7 +88,7 @@ pub fn recognise(chain: &Chain, symbols: &Symbols) -> (Inverse, Ring) {
             ));
             continue;
         }
-        let Some(mut home) = Home::new(chain, symbols) else {
+        let Some(mut home) = Home::new(chain, symbols, ring.clone(), outers) else {
             last = Refusal::new("the exact geometry is too large to be represented");
             continue;
         };
@@ -97,5 +97,5 @@ pub fn recognise(chain: &Chain, symbols: &Symbols) -> (Inverse, Ring) {
             Err(refusal) => last = refusal,
         }
     }
-    (Inverse::None { reason: last.reason, culprit: last.culprit }, symbols.ring(chain))
+    (Inverse::None { reason: last.reason, culprit: last.culprit }, ring)
 }
