@@ -48,3 +48,25 @@ fn no_program_costs_more_than_the_best_peer() {
         }
     }
 }
+
+/// The lines of one generated method, from its doc comment to its closing brace.
+fn method<'a>(items: &'a str, name: &str) -> Vec<&'a str> {
+    let start = items.find(&format!("fn {name}<")).unwrap_or_else(|| panic!("no method {name}"));
+    let lines = items[start..].lines();
+    lines.take_while(|line| !line.starts_with("///") && !line.starts_with("#[")).collect()
+}
+
+#[test]
+fn puma_560_reads_like_a_textbook() {
+    let arm = kin_gen::compile_text(robots::Puma560::TABLE).unwrap_or_else(|messages| panic!("{messages}"));
+    let items = kin_gen::back::rust::items(&arm, "::kin_runtime");
+    let parts = ["fk", "jacobian", "r36"].map(|name| method(&items, name));
+    let lines: usize = parts.iter().map(Vec::len).sum();
+    println!("{lines} lines for FK, Jacobian and ³R₆");
+    assert!(lines < 200, "{lines} lines");
+    let text = parts.concat().join("\n");
+    for name in ["s1, c1", "s23, c23", "let a2 =", "let d4 =", "let px =", "let r31 ="] {
+        assert!(text.contains(name), "{name} is missing from\n{text}");
+    }
+    assert!(!text.contains("tmp"));
+}

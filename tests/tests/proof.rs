@@ -4,6 +4,7 @@ use kin_gen::algebra::frame::Values;
 use kin_gen::algebra::ring::{Poly, Ring};
 use kin_gen::chain::Chain;
 use kin_gen::eval::{Inputs, eval};
+use kin_gen::model::Solver;
 use kin_gen::program::{Op, Program, Value};
 use kin_gen::report::Report;
 use kin_gen::truth::{self, Symbols};
@@ -59,8 +60,19 @@ fn subject(text: &str) -> Subject {
     let columns = truth::jacobian(&ring, &symbols, &chain, &raw);
     let columns: Vec<Poly> = columns.into_iter().flatten().collect();
     let both: Vec<Poly> = tip.iter().chain(&columns).cloned().collect();
+    let pose =
+        |p: &truth::RawPose| p.rotation.iter().flatten().chain(&p.position).cloned().collect::<Vec<_>>();
+    let frames: Vec<Poly> = raw.frames.iter().flat_map(pose).collect();
     let forward = arm.forward;
-    let programs = vec![(forward.fk, tip), (forward.jacobian, columns), (forward.fk_jacobian, both)];
+    let mut programs = vec![
+        (forward.fk, tip),
+        (forward.frames, frames),
+        (forward.jacobian, columns),
+        (forward.fk_jacobian, both),
+    ];
+    if let Solver::Pose(solver) = arm.solver {
+        programs.push((solver.r36, solver.r36_meaning.iter().flatten().cloned().collect()));
+    }
     Subject { chain, ring, symbols, programs }
 }
 
