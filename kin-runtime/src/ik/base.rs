@@ -146,8 +146,13 @@ impl<T: Float> Base<T> {
             let plane = stand.plane(p, &sight, posture.shoulder, hold)?;
             self.close(&stand, &plane, posture, window, hold).or_else(|open| {
                 // Near the touching of the first figure its round-off is amplified in x: a boundary of the second
-                // that is missed by no more than that is reached.
-                let nudged = stand.nudged(&plane, &sight, open.boundary, window);
+                // that is missed by no more than that is reached. And where joint 1 is free but for round-off, the
+                // wrist centre's own azimuth reaches a boundary that the convention misses.
+                let nudged = if plane.free {
+                    Some(stand.own(&sight, posture.shoulder))
+                } else {
+                    stand.nudged(&plane, &sight, open.boundary, window)
+                };
                 let closed = nudged.and_then(|plane| self.close(&stand, &plane, posture, window, hold).ok());
                 closed.ok_or(open.reason)
             })
@@ -164,8 +169,6 @@ impl<T: Float> Base<T> {
         hold: Option<[T; 2]>,
     ) -> Result<Placed<T>, Open<T>> {
         let distance = math::hypot(plane.x, plane.v);
-        // A free first joint leaves the wrist centre anywhere within another window.
-        let window = if plane.free { window + window } else { window };
         let figure = match self {
             Base::Elbow(base) => base.span(posture, distance, window),
             Base::Telescope(base) => base.slide(posture, distance, window),
@@ -245,6 +248,12 @@ impl<T: Float> Stand<T> {
         let ([offset, _], [reversed, _]) = (self.offset, self.reversed);
         let t1 = row_value(sight.azimuth - math::atan2(sight.across, along), offset, reversed);
         Plane { t1, x: along - self.a1, v: sight.v, free: false }
+    }
+
+    /// The plane that a wrist centre almost on axis 1 lies in: one of those that a free first joint may choose.
+    fn own(&self, sight: &Sight<T>, side: Shoulder) -> Plane<T> {
+        let along = if side == Shoulder::Right { sight.radius } else { -sight.radius };
+        Plane { free: true, ..self.turned(&Sight { across: T::lit(0.0), ..*sight }, along) }
     }
 
     /// The plane in which the wrist centre lies on the boundary circle of the second figure, if that is within

@@ -315,3 +315,17 @@ fn the_four_inverse_solutions_of_seed_004() {
     let far = LabRrr.ik_position(&Point3::new(1.0_f32, 0.0, 0.168));
     assert!(far.slots().iter().all(|slot| matches!(slot, Slot::Empty(Reason::OutOfReach { .. }))));
 }
+
+#[test]
+fn folded_onto_the_first_axis_the_residual_stays_small() {
+    // Both figures have collapsed but for round-off, and no window may grow by the other.
+    for bits in [
+        [0xbfc6_4dee_cd86_2c50_u64, 0xbe53_76ed_17d6_c3fc, 0x4009_21fb_5444_2d32],
+        [0xc001_a335_04fb_6837, 0x3fb2_eea0_8672_29a0, 0x4009_21fb_5444_2d32],
+    ] {
+        let q = pose::column(bits.map(f64::from_bits));
+        let solutions = LabRrr.ik_position(&Point3 { coords: LabRrr.fk(&q).translation.vector });
+        assert!(!solutions.is_empty());
+        assert!(solutions.iter().all(|solution| solution.residual <= 13.0 * EPS), "{solutions}");
+    }
+}
