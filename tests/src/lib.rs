@@ -20,6 +20,7 @@ pub mod polynomial;
 pub mod pose;
 pub mod product;
 pub mod reference;
+pub mod reliability;
 pub mod sample;
 pub mod score;
 pub mod seeds;

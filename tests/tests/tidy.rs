@@ -36,7 +36,9 @@ fn sources(folder: &str) -> Vec<Source> {
                 if name != "target" && name != ".git" {
                     folders.push(path);
                 }
-            } else if let Ok(text) = fs::read_to_string(entry.path()) {
+            } else if name != ".git"
+                && let Ok(text) = fs::read_to_string(entry.path())
+            {
                 found.push(Source { path: path.to_string_lossy().replace('\\', "/"), text });
             }
         }

@@ -1,0 +1,195 @@
+//! What came of a run: a table for the terminal, and RELIABILITY.md.
+
+use std::fmt::{self, Write};
+
+use super::parts::{Part, parts};
+use super::run::State;
+use super::tally::Tally;
+
+/// The worst residual that is promised, in ε of the reach.
+pub const RESIDUAL: f64 = 16.0;
+
+/// What is promised of a part and was not kept.
+pub fn missed(part: &Part, tally: &Tally) -> Vec<String> {
+    let mut missed: Vec<String> = tally
+        .faults()
+        .iter()
+        .filter(|(_, count, _)| *count > 0)
+        .map(|(what, count, _)| format!("{}: {count} {what}", part.name))
+        .collect();
+    let worst = tally.residual.badness();
+    if worst > RESIDUAL {
+        missed.push(format!("{}: a residual of {worst:.2} ε, promised {RESIDUAL} ε", part.name));
+    }
+    if tally.tries < part.tries {
+        missed.push(format!("{}: {} of {} tries done", part.name, tally.tries, part.tries));
+    }
+    missed
+}
+
+/// Everything that was missed.
+pub fn all_missed(state: &State) -> Vec<String> {
+    let parts = parts(state.poses, state.patterns);
+    let tally = |part: &Part| state.parts.get(&part.name).map(|done| done.tally.clone()).unwrap_or_default();
+    parts.iter().flat_map(|part| missed(part, &tally(part))).collect()
+}
+
+/// The counts, one line for each part.
+pub fn table(state: &State) -> String {
+    let mut text = String::from(
+        "| part | tries | solutions | with families | empty | lost | blurred | twice | malformed | panicked | worst residual / ε |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for part in parts(state.poses, state.patterns) {
+        let Some(done) = state.parts.get(&part.name) else { continue };
+        let tally = &done.tally;
+        let _ =
+            write!(text, "| {} | {} | {} | {} |", part.name, tally.tries, tally.solutions, tally.families);
+        for (what, count, _) in tally.faults() {
+            // Wild bits promise an answer, not a solution.
+            let cell = if part.wild && ["empty", "lost", "twice"].contains(&what) {
+                "–".into()
+            } else {
+                count.to_string()
+            };
+            let _ = write!(text, " {cell} |");
+            if what == "lost" {
+                let _ = write!(text, " {} |", if part.wild { "–".into() } else { tally.blurs.to_string() });
+            }
+        }
+        let residual = if part.wild { "–".into() } else { format!("{:.2}", tally.residual.badness()) };
+        let _ = writeln!(text, " {residual} |");
+    }
+    text
+}
+
+/// RELIABILITY.md.
+pub fn markdown(state: &State) -> String {
+    let mut text = String::from(HEAD);
+    let missed = all_missed(state);
+    if missed.is_empty() {
+        text.push_str("Every figure above that is guaranteed was kept.\n");
+    } else {
+        text.push_str("**Missed:**\n\n");
+        missed.iter().for_each(|line| text.push_str(&format!("- {line}\n")));
+    }
+    let round_trips = state.parts.iter().filter(|(name, _)| !name.starts_with("bits"));
+    let (blurs, tries) = round_trips
+        .fold((0, 0), |(blurs, tries), (_, done)| (blurs + done.tally.blurs, tries + done.tally.tries));
+    let _ = writeln!(
+        text,
+        "**Missed as first asked for**, joints within min(10³·ε/σ, 10²·√ε) at every pose: in {blurs} of {tries} tries."
+    );
+    let command = format!(
+        "cargo run --release -p tests --bin reliability -- --poses {} --patterns {} --seed {}",
+        state.poses, state.patterns, state.seed
+    );
+    let _ = write!(text, "\n## Counts\n\n`{command}`\n\n{}", table(state));
+    text.push_str(LEGEND);
+    let _ = write!(text, "\n## Arms\n\n{}", arms(state));
+    let _ = write!(text, "\n## Worst cases\n\n{}", CASES.replace("SEED", &state.seed.to_string()));
+    let _ = worst_cases(&mut text, state);
+    text
+}
+
+fn arms(state: &State) -> String {
+    let mut text = String::new();
+    for part in parts(state.poses, state.patterns).iter().filter(|part| !part.wild && part.format == "f64") {
+        let names: Vec<&str> = part.arms().collect();
+        let _ = writeln!(text, "- {}: {}.", part.name.trim_end_matches("-f64"), names.join(", "));
+    }
+    text
+}
+
+fn worst_cases(text: &mut String, state: &State) -> fmt::Result {
+    for part in parts(state.poses, state.patterns) {
+        let Some(done) = state.parts.get(&part.name) else { continue };
+        let tally = &done.tally;
+        let residual = [
+            ("residual / ε", &tally.residual),
+            ("distance / asked for", &tally.strayed),
+            ("blurred, distance / asked for", &tally.blurred),
+        ];
+        let kept = tally.faults().map(|(what, _, cases)| (what, cases)).into_iter().chain(residual);
+        for (what, cases) in kept {
+            // Of what was kept, two of each are enough; of faults, all that are held.
+            let fault = !what.contains('/');
+            for case in cases.0.iter().take(if fault { 5 } else { 2 }) {
+                writeln!(
+                    text,
+                    "| {}:{} | {} | {what} {:.3} | `{}` |",
+                    part.name,
+                    case.index,
+                    case.arm,
+                    case.badness(),
+                    case.bits.join(" ")
+                )?;
+            }
+        }
+    }
+    Ok(())
+}
+
+const HEAD: &str = "\
+# Reliability
+
+Written by `cargo run --release -p tests --bin reliability`; not edited by hand.
+
+## What is guaranteed
+
+For every arm that `dh!` gives an `ik` or `ik_position`, and for every pose that forward kinematics can produce, up to and at
+every singular set:
+
+- **Something comes back**: no reachable pose is empty.
+- **Nothing is lost**: the joints that the pose came from are among the solutions, or are a member of a returned family,
+  within min(10³·ε/σ, 10²·√ε); σ is the smallest singular value of the Jacobian, its linear rows divided by the reach. Where
+  the rounded pose does not determine them so well (*blurred*, see below), a solution within 10³·ε/m comes back, m the
+  manipulability, and it is as far from the shoulder's and the elbow's singular set as they were, within 10²·√ε, and from the
+  wrist's too if its base is theirs.
+- **Nothing is wrong**: forward kinematics of every solution returns to the pose within 16 ε of the reach (positions) and
+  16 ε (rotation entries). The solver itself refuses whatever misses by more than 64 ε.
+- **Nothing comes twice**: two solutions differ by more than 6.7·√ε (1e-7 for doubles), and there are never more than 8 for
+  six joints, 4 for three.
+- **Every bit pattern gets an answer**: NaN, infinities, denormals, huge numbers and matrices that are no rotations end in a
+  typed reason; nothing panics, no solution holds a NaN, angles are in (-π, π].
+
+ε is 2⁻⁵² for `f64` and 2⁻²³ for `f32`; the same holds for both.
+
+## What is not
+
+- The figures are counts, not proofs: they hold for the poses that were tried, on the arms listed below.
+- **The bound min(10³·ε/σ, 10²·√ε) does not hold for every pose**: the column *blurred* counts where it is missed. No solver
+  that is given a rounded pose can keep it there. At a distance δ from the wrist's singular set, θ4 and θ6 alone are determined
+  to ε/δ, which is more than 10²·√ε where δ < 1e-10, and a family is declared only where every member reaches the pose, δ ≤ 32 ε;
+  where two sets are near, δ is their product. (`cargo test -p tests --test reliability` shows two joint vectors 1e-4 apart whose
+  poses agree to the last bits.) What is guaranteed there is the pose, and the place, but not the joints.
+- Two solutions closer than 6.7·√ε are given as one; a wrist that is within 32 ε of its singular set is given as a family.
+- Poses that are not the arm's own by more than round-off are judged by their distance from the boundary, which itself has a
+  round-off of 8 ε of the reach: within that, a pose may be called reachable or not.
+- Joint limits, collisions and the difference between the declared and the real arm are the caller's.
+- Whether *all* solutions are found, not only those that went in, is the business of `tests/tests/ik.rs`, which compares with
+  the complete sets of the reference.
+
+## Verdict
+
+";
+
+const LEGEND: &str = "
+A try of a family takes joint values, goes forward to the pose and back. One in four is anywhere; the others aim at the wrist's,
+the elbow's (stretched and folded) and the shoulder's singular sets, alone and together, at ±10⁻ᵏ, k = 0 … 17, and exactly. A
+try of `bits` puts random bit patterns through `fk` and `jacobian`, and through the inverse poses that are random bits, or an arm's
+own pose with one entry replaced by random bits, or by 0, -0, NaN, ±∞, a denormal or a huge number, or scaled, or with every
+entry off by some last bits.
+
+- empty: a pose without a solution · lost: neither the joints that went in come back nor others in the same place
+- blurred: others in the same place come back, because the pose says no more · twice: one solution in two slots
+- malformed: a value that is not finite, an angle outside (-π, π], more solutions than slots · panicked: as it says
+";
+
+const CASES: &str = "\
+Joint values (for `malformed` wild bits the pose, rotation by rows and then the position) as hexadecimal bit patterns. To run one
+again, with all its solutions: `cargo run --release -p tests --bin reliability -- --seed SEED --again PART:NUMBER`.
+
+| try | arm | what | bits |
+|---|---|---|---|
+";
