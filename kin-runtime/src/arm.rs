@@ -121,8 +121,8 @@ pub trait SphericalWrist<const N: usize>: Arm<N> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no closed-form inverse kinematics from a pose",
     label = "no `ik` for this arm",
-    note = "`dh!` derives `ik` for arms of six joints whose last three axes meet and whose axes 2 and 3 are parallel, or \
-            whose third joint slides at right angles to axis 2; every arm has `fk` and `jacobian`"
+    note = "`dh!` derives `ik` for arms of six joints whose last three axes meet and whose first three joints, of any \
+            kind, move that point through space; every arm has `fk` and `jacobian`"
 )]
 pub trait InverseKinematics<const N: usize>: Arm<N> {
     /// The labels of the solution slots.

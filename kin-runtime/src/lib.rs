@@ -138,7 +138,7 @@ pub mod solutions;
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
 pub use dh_macro::dh;
 pub use dynamic::{DynArm, DynError, DynOutcome, DynSlot, Inverse};
-pub use ik::{Base, ElbowBase, TelescopeBase, Wrist, WristFamily};
+pub use ik::{Axis, Base, ElbowBase, GeneralBase, TelescopeBase, Wrist, WristFamily};
 pub use limits::{Limits, Standing};
 pub use math::{Float, Real};
 pub use nalgebra::{Matrix3, Point3};

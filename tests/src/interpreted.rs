@@ -4,25 +4,25 @@
 //! code prints; what stands between them and the runtime, and only that, is repeated here.
 
 use kin_gen::algebra::expr::Turn;
-use kin_gen::family::base::{Base as GenBase, Figure};
+use kin_gen::family::base::{Base as GenBase, Figure, Shape};
 use kin_gen::family::spherical_wrist::WristForm;
 use kin_gen::model::{Arm as Derived, PoseSolver, Solver};
 use kin_gen::program::{Op, Program, Value};
 use kin_gen::quantity::{Linear, Quantity};
-use kin_runtime::ik::{Base, ElbowBase, TelescopeBase, Wrist};
+use kin_runtime::ik::{Axis, Base, ElbowBase, GeneralBase, TelescopeBase, Wrist};
 use kin_runtime::{
     Arm, Float, InverseKinematics, Jacobian, Joint, JointKind, Joints, LengthUnit, Limits, Matrix3, Point3,
     Pose, Posture, Real, Solutions, SphericalWrist, private,
 };
 
-/// A derived arm with six joints and an inverse; the third joint slides if `SLIDES`.
-pub struct Interpreted<const SLIDES: bool> {
+/// A derived arm with six joints and an inverse; joint i slides if bit i of `SLIDES` is set.
+pub struct Interpreted<const SLIDES: u8> {
     derived: Derived,
     /// The values of the parameters.
     pub params: Vec<f64>,
 }
 
-impl<const SLIDES: bool> Interpreted<SLIDES> {
+impl<const SLIDES: u8> Interpreted<SLIDES> {
     /// `None` if the arm has no inverse from a pose.
     pub fn new(derived: Derived) -> Option<Self> {
         let params = derived.params.iter().map(|p| p.nominal).collect();
@@ -63,13 +63,26 @@ impl<const SLIDES: bool> Interpreted<SLIDES> {
     }
 
     fn base_of<T: Float>(&self, base: &GenBase) -> Base<T> {
-        let a1 = self.linear(&base.shoulder);
-        let twist = (T::lit(base.twist.0.to_f64()), T::lit(base.twist.1.to_f64()));
-        let lateral = self.linear(&base.lateral);
         let [o1, o2, o3] = &base.offsets;
         let offset = [self.quantity(o1), self.quantity(o2), self.quantity(o3)];
-        let (reversed, reach) = (base.reversed, T::lit(self.reach()));
-        match &base.figure {
+        let reach = T::lit(self.reach());
+        let stand = match &base.shape {
+            Shape::Stand(stand) => stand,
+            Shape::General(general) => {
+                let point = |v: &[Linear; 3]| v.each_ref().map(|l| self.linear(l));
+                let axes = general.axes.each_ref().map(|axis| Axis {
+                    slides: axis.slides,
+                    direction: axis.direction.map(|d| T::lit(d.to_f64())),
+                    point: point(&axis.point),
+                });
+                let carried = point(&general.carried);
+                return Base::General(GeneralBase { axes, carried, offset, reach });
+            }
+        };
+        let a1 = self.linear(&stand.shoulder);
+        let twist = (T::lit(stand.twist.0.to_f64()), T::lit(stand.twist.1.to_f64()));
+        let (lateral, reversed) = (self.linear(&stand.lateral), stand.reversed);
+        match &stand.figure {
             Figure::Elbow { upper, fore } => {
                 let (upper, fore) = (self.quantity(upper), self.quantity(fore));
                 Base::Elbow(ElbowBase { a1, twist, lateral, upper, fore, offset, reversed, reach })
@@ -137,14 +150,18 @@ fn columns<T: Real>(values: &[T]) -> [[T; 6]; 6] {
     std::array::from_fn(|j| std::array::from_fn(|i| values[6 * j + i]))
 }
 
-impl<const SLIDES: bool> Arm<6> for Interpreted<SLIDES> {
+impl<const SLIDES: u8> Arm<6> for Interpreted<SLIDES> {
     const NAME: &'static str = "interpreted";
     const LENGTH_UNIT: LengthUnit = LengthUnit::Metre;
     const TABLE: &'static str = "";
     const JOINTS: [Joint; 6] = {
         let mut joints = [Joint { name: "", kind: JointKind::Revolute }; 6];
-        if SLIDES {
-            joints[2].kind = JointKind::Prismatic;
+        let mut joint = 0;
+        while joint < 6 {
+            if SLIDES >> joint & 1 == 1 {
+                joints[joint].kind = JointKind::Prismatic;
+            }
+            joint += 1;
         }
         joints
     };
@@ -176,7 +193,7 @@ impl<const SLIDES: bool> Arm<6> for Interpreted<SLIDES> {
     }
 }
 
-impl<const SLIDES: bool> SphericalWrist<6> for Interpreted<SLIDES> {
+impl<const SLIDES: u8> SphericalWrist<6> for Interpreted<SLIDES> {
     fn r36<T: Real>(&self, q4: T, q5: T, q6: T) -> Matrix3<T> {
         let zero = T::lit(0.0);
         private::matrix(rows(&self.run(&self.solver().r36, &[zero, zero, zero, q4, q5, q6], &[])))
@@ -203,7 +220,7 @@ impl<const SLIDES: bool> SphericalWrist<6> for Interpreted<SLIDES> {
     }
 }
 
-impl<const SLIDES: bool> private::SolveWrist<6> for Interpreted<SLIDES> {
+impl<const SLIDES: u8> private::SolveWrist<6> for Interpreted<SLIDES> {
     fn base<T: Float>(&self) -> Base<T> {
         self.base_of(&self.solver().geometry.base)
     }
@@ -233,7 +250,7 @@ fn integer_map<T: Real>(matrix: &[Vec<i64>], v: [T; 6]) -> [T; 6] {
     })
 }
 
-impl<const SLIDES: bool> InverseKinematics<6> for Interpreted<SLIDES> {
+impl<const SLIDES: u8> InverseKinematics<6> for Interpreted<SLIDES> {
     type Branch = Posture;
 
     fn ik<T: Float>(&self, pose: &Pose<T>) -> Solutions<T, 6, Posture> {

@@ -1,7 +1,7 @@
 //! The shared solver on arms that nobody declared: any member of the family, not only the ones people build.
 
 use kin_runtime::prelude::*;
-use tests::interpreted::Interpreted;
+use tests::interpreted::{Interpreted, interpret};
 use tests::sample::Sampler;
 
 const ARMS: usize = 30;
@@ -118,16 +118,71 @@ fn telescope_arm(random: &mut Sampler) -> String {
     )
 }
 
+/// How two neighbouring axes of a base lie to each other.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Lie {
+    Meeting,
+    Parallel,
+    Square,
+    Skew,
+}
+
+impl Lie {
+    const ALL: [Lie; 4] = [Lie::Meeting, Lie::Parallel, Lie::Square, Lie::Skew];
+
+    /// The cells `a` and `alpha` of the row between the two.
+    fn cells(self, random: &mut Sampler) -> (String, String) {
+        match self {
+            Lie::Meeting => ("0".to_owned(), twist(random)),
+            Lie::Parallel => (length(random), ["0", "180"][random.below(2)].to_owned()),
+            Lie::Square => (length(random), ["90", "-90"][random.below(2)].to_owned()),
+            Lie::Skew => (length(random), format!("{:.1}", random.between(35.0, 145.0))),
+        }
+    }
+}
+
+/// A table whose joints 1 to 3 slide where `slides` says so, under a spherical wrist.
+fn base_arm(random: &mut Sampler, slides: u8, between: [Lie; 2]) -> String {
+    let (mut rows, mut lies) = (String::new(), between.into_iter());
+    for joint in 1..=3 {
+        let slide = slides >> (joint - 1) & 1 == 1;
+        let (a, alpha) =
+            lies.next().unwrap_or([Lie::Skew, Lie::Square, Lie::Meeting][random.below(3)]).cells(random);
+        let (theta, d) = if slide {
+            (
+                format!("{:.1}", random.between(-170.0, 170.0)),
+                ["q", "-q", "q + 0.2", "0.3 - q"][random.below(4)].to_owned(),
+            )
+        } else {
+            (moving(random, 170.0), maybe_length(random))
+        };
+        rows.push_str(&format!("| J{joint} | {theta} | {d} | {a} | {alpha} |\n"));
+    }
+    let (t4, t5, d4, d6, extras) =
+        (twist(random), twist(random), length(random), maybe_length(random), extras(random));
+    format!(
+        "struct Any(standard, m, deg);
+| joint | theta | d    | a    | alpha |
+{rows}| J4 | {} | {d4} | 0 | {t4} |
+| J5 | {} | 0 | 0 | {t5} |
+| J6 | {} | {d6} | 0 | 0 |
+{extras}",
+        moving(random, 170.0),
+        moving(random, 170.0),
+        moving(random, 170.0),
+    )
+}
+
 /// The largest entry of the difference, lengths divided by the reach.
 fn miss(a: &Pose<f64>, b: &Pose<f64>, reach: f64) -> f64 {
     let rotation = (a.rotation.matrix() - b.rotation.matrix()).amax();
     rotation.max((a.translation.vector - b.translation.vector).amax() / reach)
 }
 
-fn distance(a: &Joints<f64, 6>, b: &Joints<f64, 6>, slides: bool) -> f64 {
+fn distance(a: &Joints<f64, 6>, b: &Joints<f64, 6>, slides: u8) -> f64 {
     let wrapped = |i: usize| {
         let d = a[i] - b[i];
-        if slides && i == 2 {
+        if slides >> i & 1 == 1 {
             d
         } else {
             (d + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI
@@ -142,14 +197,14 @@ struct Worst {
     solutions: usize,
 }
 
-fn try_arm<const SLIDES: bool>(text: &str, random: &mut Sampler, worst: &mut Worst) {
+fn try_arm<const SLIDES: u8>(text: &str, random: &mut Sampler, worst: &mut Worst) {
     let derived = kin_gen::compile_text(text).unwrap_or_else(|messages| panic!("{text}\n{messages}"));
     let arm = Interpreted::<SLIDES>::new(derived).unwrap_or_else(|| panic!("not recognised:\n{text}"));
     let reach = arm.reach();
     for _ in 0..POSES {
         let mut values = random.angles::<6>();
-        if SLIDES {
-            values[2] = random.between(-1.5, 1.5);
+        for joint in (0..3).filter(|joint| SLIDES >> joint & 1 == 1) {
+            values[joint] = random.between(-1.5, 1.5);
         }
         let q = Joints::from(values);
         let pose = arm.fk(&q);
@@ -176,7 +231,7 @@ fn any_elbow_arm_with_a_spherical_wrist() {
     let mut worst = Worst { residual: 0.0, found: 0, solutions: 0 };
     for _ in 0..ARMS {
         let text = elbow_arm(&mut random);
-        try_arm::<false>(&text, &mut random, &mut worst);
+        try_arm::<0>(&text, &mut random, &mut worst);
     }
     println!("{} poses, {} solutions, worst residual {:e}", worst.found, worst.solutions, worst.residual);
     assert_eq!(worst.found, ARMS * POSES);
@@ -188,8 +243,80 @@ fn any_telescope_arm_with_a_spherical_wrist() {
     let mut worst = Worst { residual: 0.0, found: 0, solutions: 0 };
     for _ in 0..ARMS {
         let text = telescope_arm(&mut random);
-        try_arm::<true>(&text, &mut random, &mut worst);
+        try_arm::<4>(&text, &mut random, &mut worst);
     }
     println!("{} poses, {} solutions, worst residual {:e}", worst.found, worst.solutions, worst.residual);
     assert_eq!(worst.found, ARMS * POSES);
+}
+
+/// Whether the Jacobian has full rank somewhere, told from random joint values.
+fn moves_in_space(derived: &kin_gen::model::Arm, random: &mut Sampler) -> bool {
+    (0..6).any(|_| {
+        let values = interpret::<f64>(&derived.forward.jacobian, &random.angles::<6>(), &[], &[]);
+        Jacobian::<f64, 6>::from_column_slice(&values).determinant().abs() > 1e-10
+    })
+}
+
+/// Every way in which the axes of a base with these kinds of joint may lie. Refused are those, and only those, that
+/// keep the wrist centre in a surface.
+fn any_base<const SLIDES: u8>(seed: u64) {
+    let mut random = Sampler::new(seed);
+    let mut worst = Worst { residual: 0.0, found: 0, solutions: 0 };
+    let (mut tried, mut refused) = (0, 0);
+    for lies in Lie::ALL.into_iter().flat_map(|a| Lie::ALL.map(|b| [a, b])) {
+        let text = base_arm(&mut random, SLIDES, lies);
+        let derived = kin_gen::compile_text(&text).unwrap_or_else(|messages| panic!("{text}\n{messages}"));
+        if moves_in_space(&derived, &mut random) {
+            try_arm::<SLIDES>(&text, &mut random, &mut worst);
+        } else {
+            assert!(Interpreted::<SLIDES>::new(derived).is_none(), "moves in a surface only:\n{text}");
+            refused += 1;
+        }
+        tried += 1;
+    }
+    println!(
+        "{tried} arms, {refused} refused, {} poses, {} solutions, worst residual {:e}",
+        worst.found, worst.solutions, worst.residual
+    );
+    assert_eq!(worst.found, (tried - refused) * POSES);
+}
+
+#[test]
+fn any_base_rrr() {
+    any_base::<0>(5);
+}
+
+#[test]
+fn any_base_rrp() {
+    any_base::<4>(6);
+}
+
+#[test]
+fn any_base_rpr() {
+    any_base::<2>(7);
+}
+
+#[test]
+fn any_base_prr() {
+    any_base::<1>(8);
+}
+
+#[test]
+fn any_base_rpp() {
+    any_base::<6>(9);
+}
+
+#[test]
+fn any_base_prp() {
+    any_base::<5>(10);
+}
+
+#[test]
+fn any_base_ppr() {
+    any_base::<3>(11);
+}
+
+#[test]
+fn any_base_ppp() {
+    any_base::<7>(12);
 }

@@ -6,7 +6,8 @@ use std::fmt::Write;
 
 use super::infix::{self, Leaves};
 use crate::chain::{JointKind, LengthUnit, ParamKind};
-use crate::family::base::{Base, Figure};
+use crate::family::base::{Base, Figure, Shape, Stand};
+use crate::family::general::General;
 use crate::family::spherical_wrist::{Wrist, WristForm};
 use crate::model::{Arm, JointFacts, PoseSolver, PositionSolver, Solver};
 use crate::number::Real;
@@ -341,31 +342,55 @@ impl Printer<'_> {
         let krate = self.krate;
         line!(text, "/// The base's geometry, measured in the shoulder frame.");
         line!(text, "fn base<T: {krate}::Float>(&self) -> {krate}::Base<T> {{");
-        let kind = match &base.figure {
-            Figure::Elbow { .. } => "Elbow",
-            Figure::Telescope { .. } => "Telescope",
+        let kind = match &base.shape {
+            Shape::General(_) => "General",
+            Shape::Stand(stand) => match &stand.figure {
+                Figure::Elbow { .. } => "Elbow",
+                Figure::Telescope { .. } => "Telescope",
+            },
         };
         line!(text, "{krate}::Base::{kind}({krate}::{kind}Base {{");
+        match &base.shape {
+            Shape::Stand(stand) => self.stand(text, stand),
+            Shape::General(general) => self.general(text, general),
+        }
+        let offsets: Vec<String> = base.offsets.iter().map(|o| self.quantity(o)).collect();
+        line!(text, "offset: [{}],", offsets.join(", "));
+        if let Shape::Stand(stand) = &base.shape {
+            line!(text, "reversed: {:?},", stand.reversed);
+        }
+        let reach = match self.arm.reach.as_f64() {
+            Some(value) => self.literal(value),
+            None => format!("T::lit({krate}::Arm::reach(self))"),
+        };
+        line!(text, "reach: {reach},\n}})\n}}");
+    }
+
+    fn stand(&self, text: &mut String, stand: &Stand) {
         let field = |value: &Linear| self.linear_in_t(value);
-        line!(text, "a1: {},", field(&base.shoulder));
-        let (sin, cos) = (self.literal(base.twist.0.to_f64()), self.literal(base.twist.1.to_f64()));
+        line!(text, "a1: {},", field(&stand.shoulder));
+        let (sin, cos) = (self.literal(stand.twist.0.to_f64()), self.literal(stand.twist.1.to_f64()));
         line!(text, "twist: ({sin}, {cos}),");
-        line!(text, "lateral: {},", field(&base.lateral));
-        match &base.figure {
+        line!(text, "lateral: {},", field(&stand.lateral));
+        match &stand.figure {
             Figure::Elbow { upper, fore } => {
                 line!(text, "upper: {},", self.quantity(upper));
                 line!(text, "fore: {},", self.quantity(fore));
             }
             Figure::Telescope { arm } => line!(text, "arm: {},", field(arm)),
         }
-        let offsets: Vec<String> = base.offsets.iter().map(|o| self.quantity(o)).collect();
-        line!(text, "offset: [{}],", offsets.join(", "));
-        line!(text, "reversed: {:?},", base.reversed);
-        let reach = match self.arm.reach.as_f64() {
-            Some(value) => self.literal(value),
-            None => format!("T::lit({krate}::Arm::reach(self))"),
-        };
-        line!(text, "reach: {reach},\n}})\n}}");
+    }
+
+    fn general(&self, text: &mut String, general: &General) {
+        let krate = self.krate;
+        let point = |v: &[Linear; 3]| v.each_ref().map(|l| self.linear_in_t(l)).join(", ");
+        line!(text, "axes: [");
+        for axis in &general.axes {
+            let direction = axis.direction.map(|d| self.literal(d.to_f64())).join(", ");
+            line!(text, "{krate}::Axis {{ slides: {}, direction: [{direction}],", axis.slides);
+            line!(text, "point: [{}] }},", point(&axis.point));
+        }
+        line!(text, "],\ncarried: [{}],", point(&general.carried));
     }
 
     /// The way from row values to what the caller commands, and back.

@@ -1,10 +1,12 @@
 //! The figure of a three-joint base: how its three joints carry one point.
 //!
 //! Axis 1, then axis 2 at a fixed angle to it, then either a third axis parallel to the second (the elbow of
-//! articulated arms) or a slide perpendicular to it (Stanford's arm). Everything is measured in the *shoulder frame*:
+//! articulated arms) or a slide perpendicular to it (Stanford's arm); any other three joints are a
+//! [general] base. Everything is measured in the *shoulder frame*:
 //! z along axis 1, x along the common normal of axes 1 and 2, origin at its foot on axis 1.
 
 use super::Refusal;
+use super::general::{self, General};
 use super::home::Home;
 use crate::algebra::ring::Poly;
 use crate::algebra::vector::{self, M3, V3};
@@ -29,13 +31,9 @@ pub enum Figure {
     },
 }
 
-/// A three-joint base and the point it carries.
+/// The first two axes and the figure in the plane at right angles to the second.
 #[derive(Clone, Debug)]
-pub struct Base {
-    /// The shoulder frame's orientation in the world, by rows.
-    pub axes: M3<Poly>,
-    /// Its origin.
-    pub origin: V3<Poly>,
+pub struct Stand {
     /// Distance from axis 1 to axis 2 along x; may be negative.
     pub shoulder: Linear,
     /// Sine (positive) and cosine of the angle from axis 1 to axis 2 about x.
@@ -44,10 +42,31 @@ pub struct Base {
     pub lateral: Linear,
     /// The figure in the plane.
     pub figure: Figure,
-    /// What is added to each row value (or, if reversed, what the row value is subtracted from) to give the figure's.
-    pub offsets: [Quantity; 3],
     /// Whether a row value turns against its figure angle.
     pub reversed: [bool; 3],
+}
+
+/// How the point is moved.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// In a plane at right angles to axis 2.
+    Stand(Box<Stand>),
+    /// By any other three joints.
+    General(Box<General>),
+}
+
+/// A three-joint base and the point it carries.
+#[derive(Clone, Debug)]
+pub struct Base {
+    /// The orientation in the world, by rows, of the frame in which the base is measured: the shoulder frame of a stand,
+    /// the first row's of a general base.
+    pub axes: M3<Poly>,
+    /// Its origin.
+    pub origin: V3<Poly>,
+    /// What the joints do.
+    pub shape: Shape,
+    /// What is added to each row value (or, if reversed, what the row value is subtracted from) to give the figure's.
+    pub offsets: [Quantity; 3],
 }
 
 /// Names of axes in messages.
@@ -67,8 +86,12 @@ pub fn parallel(a: &[Real; 3], b: &[Real; 3]) -> bool {
     cross_length(a, b) <= roundoff()
 }
 
-/// Recognises the base of the first three joints and the point `carried` by it.
+/// Recognises the base of the first three joints and the point `carried` by it: a stand if it is one.
 pub fn recognise(home: &mut Home<'_>, carried: &V3<Poly>) -> Result<Base, Refusal> {
+    stand(home, carried).or_else(|_| general::recognise(home, carried))
+}
+
+fn stand(home: &mut Home<'_>, carried: &V3<Poly>) -> Result<Base, Refusal> {
     let [first, second, third] = [0, 1, 2].map(|i| home.axes[i].clone());
     if first.kind != JointKind::Revolute || second.kind != JointKind::Revolute {
         return Err(Refusal::new("the first two joints of the base are not both revolute"));
@@ -102,16 +125,18 @@ pub fn recognise(home: &mut Home<'_>, carried: &V3<Poly>) -> Result<Base, Refusa
     Ok(Base {
         axes,
         origin: origin_in_world,
-        shoulder: home.linear(&shoulder)?,
-        twist,
-        lateral: home.linear(&lateral)?,
-        figure,
+        shape: Shape::Stand(Box::new(Stand {
+            shoulder: home.linear(&shoulder)?,
+            twist,
+            lateral: home.linear(&lateral)?,
+            figure,
+            reversed: [false, false, reversed3],
+        })),
         offsets: [
             Quantity::angle(offset(home, 0), &[]),
             Quantity::angle(offset(home, 1), &[(false, angle2.0, angle2.1)]),
             third_offset,
         ],
-        reversed: [false, false, reversed3],
     })
 }
 

@@ -11,6 +11,7 @@
 //! [`ALL`], most specific first.
 
 pub mod base;
+pub mod general;
 pub mod home;
 pub mod position;
 pub mod spherical_wrist;

@@ -16,6 +16,7 @@
 
 use crate::geometry::{Chord, Span, circle_meets_circle, circle_meets_plane, turn};
 use crate::ik::ROUND_OFF;
+use crate::ik::general::GeneralBase;
 use crate::ik::wrist::{figure_angle, row_length, row_value};
 use crate::math::{self, Float};
 use crate::solutions::{ArmPosture, Boundary, Branch, Elbow, Reason, Shoulder};
@@ -27,6 +28,8 @@ pub enum Base<T> {
     Elbow(ElbowBase<T>),
     /// Two revolute joints and a slide at right angles to axis 2.
     Telescope(TelescopeBase<T>),
+    /// Any other three joints.
+    General(GeneralBase<T>),
 }
 
 /// Three revolute joints with axes 2 and 3 parallel: shoulder, upper arm and forearm.
@@ -92,6 +95,12 @@ pub struct Placed<T> {
 /// What became of the four branches of the base.
 pub type Placements<T> = <ArmPosture as Branch>::Slots<Result<Placed<T>, Reason<T>>>;
 
+/// A base whose joints 2 and 3 work in a plane at right angles to axis 2.
+enum Planar<'a, T> {
+    Elbow(&'a ElbowBase<T>),
+    Telescope(&'a TelescopeBase<T>),
+}
+
 /// The first two axes: common to both kinds of base.
 struct Stand<T> {
     a1: T,
@@ -140,6 +149,25 @@ impl<T: Float> Base<T> {
     /// All ways of putting the wrist centre at `p`, in the shoulder frame. `size` is what round-off is compared with;
     /// `hold` are row values for joints that turn out to be free.
     pub fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
+        match self {
+            Base::Elbow(base) => Planar::Elbow(base).place(p, size, hold),
+            Base::Telescope(base) => Planar::Telescope(base).place(p, size, hold),
+            Base::General(base) => base.place(p, size, hold),
+        }
+    }
+
+    /// The arm's reach.
+    pub fn reach(&self) -> T {
+        match self {
+            Base::Elbow(base) => base.reach,
+            Base::Telescope(base) => base.reach,
+            Base::General(base) => base.reach,
+        }
+    }
+}
+
+impl<T: Float> Planar<'_, T> {
+    fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
         let (stand, window) = (self.stand(), T::lit(ROUND_OFF) * T::EPS * size);
         let sight = stand.sight(p, window);
         ArmPosture::slots(|posture| {
@@ -170,8 +198,8 @@ impl<T: Float> Base<T> {
     ) -> Result<Placed<T>, Open<T>> {
         let distance = math::hypot(plane.x, plane.v);
         let figure = match self {
-            Base::Elbow(base) => base.span(posture, distance, window),
-            Base::Telescope(base) => base.slide(posture, distance, window),
+            Planar::Elbow(base) => base.span(posture, distance, window),
+            Planar::Telescope(base) => base.slide(posture, distance, window),
         };
         let figure = figure.map_err(|open| Open { reason: open.reason.at(plane.t1), ..open })?;
         let t2 = match (figure.free, hold) {
@@ -188,18 +216,10 @@ impl<T: Float> Base<T> {
         })
     }
 
-    /// The arm's reach.
-    pub fn reach(&self) -> T {
-        match self {
-            Base::Elbow(base) => base.reach,
-            Base::Telescope(base) => base.reach,
-        }
-    }
-
     fn stand(&self) -> Stand<T> {
         let (a1, twist, lateral, offset, reversed) = match self {
-            Base::Elbow(b) => (b.a1, b.twist, b.lateral, b.offset, b.reversed),
-            Base::Telescope(b) => (b.a1, b.twist, b.lateral, b.offset, b.reversed),
+            Planar::Elbow(b) => (b.a1, b.twist, b.lateral, b.offset, b.reversed),
+            Planar::Telescope(b) => (b.a1, b.twist, b.lateral, b.offset, b.reversed),
         };
         let ([o1, o2, _], [r1, r2, _]) = (offset, reversed);
         Stand { a1, twist, lateral, offset: [o1, o2], reversed: [r1, r2] }

@@ -1,6 +1,8 @@
 //! Inverse kinematics: one page for each family, and what they share.
 //!
 //! * [`base`]: the first three joints put the wrist centre (or the tool point) in its place, by named figures.
+//! * [`general`]: any other three joints, by where two conics meet: [`conic`], `sheaf` where neither is flat, and
+//!   [`quartic`] for its roots.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * [`spherical_wrist`]: both together, for six-joint arms.
 //! * [`position`]: the base alone, for three-joint arms.
@@ -20,7 +22,11 @@
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
 pub mod base;
+pub mod conic;
+pub mod general;
 pub mod position;
+pub mod quartic;
+mod sheaf;
 pub mod spherical_wrist;
 pub mod target;
 pub mod wrist;
@@ -29,6 +35,7 @@ pub mod wrist;
 mod tests;
 
 pub use base::{Base, ElbowBase, TelescopeBase};
+pub use general::{Axis, GeneralBase};
 pub use wrist::{Wrist, WristFamily};
 
 use crate::arm::{Joint, JointKind};

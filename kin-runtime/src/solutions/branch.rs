@@ -21,7 +21,8 @@ pub trait Branch: Copy + PartialEq + fmt::Debug + fmt::Display + 'static {
     fn of_mut<X>(self, slots: &mut Self::Slots<X>) -> &mut X;
 }
 
-/// On which side of the first axis the arm stands.
+/// On which side of the first axis the arm stands. On a [general base](crate::ik::general): which of the two ways of joint 1,
+/// or the order of joint 3's value among the two with the same [`Elbow`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shoulder {
@@ -31,7 +32,8 @@ pub enum Shoulder {
     Left,
 }
 
-/// On which side of the line from shoulder to wrist the elbow is.
+/// On which side of the line from shoulder to wrist the elbow is. On a [general base](crate::ik::general): which of the two ways
+/// of joint 3, or which sign of the Jacobian's determinant: it stays until the arm passes through a singular pose.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Elbow {

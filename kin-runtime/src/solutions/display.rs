@@ -26,6 +26,7 @@ impl fmt::Display for Boundary {
             Boundary::Cylinder => "the cylinder about axis 1",
             Boundary::OuterCircle => "the outer circle",
             Boundary::InnerCircle => "the inner circle",
+            Boundary::Envelope => "the surface that the arm reaches",
             Boundary::WristCone => "the cone of the wrist",
         })
     }
@@ -51,7 +52,7 @@ impl<T: Float> fmt::Display for Reason<T> {
                 }
                 let side = match towards {
                     Boundary::OuterCircle => "beyond",
-                    Boundary::WristCone => "off",
+                    Boundary::WristCone | Boundary::Envelope => "off",
                     Boundary::Cylinder | Boundary::InnerCircle => "inside",
                 };
                 write!(f, " {side} {towards}")

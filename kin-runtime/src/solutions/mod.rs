@@ -51,9 +51,12 @@ pub struct Solution<T, const N: usize, B> {
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Margins<T> {
-    /// The distance, a length, of the wrist centre from the plane through axis 1 in which both shoulders are one.
+    /// The distance, a length, of the wrist centre from the plane through axis 1 in which both shoulders are one. On a
+    /// [general base](crate::ik::general): its distance from axis 1 seen along the motion of joint 2, the sine of the angle
+    /// between the two motions where joint 1 slides.
     pub shoulder: T,
     /// The angle of the elbow from stretched or folded, whichever is nearer; a length, the extension, for a slide.
+    /// On a [general base](crate::ik::general): the angle between joint 3's motion and the plane of the other two.
     pub elbow: T,
     /// The angle of the wrist's bend from where its three axes lie in one plane; `None` for an arm without a wrist.
     pub wrist: Option<T>,

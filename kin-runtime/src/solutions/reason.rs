@@ -44,6 +44,9 @@ pub enum Boundary {
     OuterCircle,
     /// The circle of the folded arm about axis 2, or of a slide at its nearest.
     InnerCircle,
+    /// The surface at which two ways of a [general base](crate::ik::general) meet and end. The distance that comes with it is
+    /// to a point that is reached, near the nearest: an upper bound.
+    Envelope,
     /// The cone that an oblique wrist can point into, or must point out of.
     WristCone,
 }

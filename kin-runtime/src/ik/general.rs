@@ -1,0 +1,359 @@
+//! Any three joints that carry a point: their axes as lines, solved by where two [conics](crate::ik::conic) meet.
+//!
+//! 1. Joint 3 moves the carried point on a circle or a line; joint 1, taken back, does so with the point to be reached. In
+//!    the plane of what joint 2 cannot change both are conics, and their meeting points give joints 1 and 3.
+//! 2. Joint 2 turns, or slides, the one onto the other.
+//! 3. The three values are refined together on the arm itself: a damped Newton step, kept only if it comes nearer. Where two
+//!    ways meet the figures are flat and round-off grows to its square root; the step takes that back.
+//!
+//! # Labels
+//!
+//! A base whose axes 1 and 2, or 2 and 3, lie in one plane has two ways for joint 1 (right, left) times two for joint 3 (up,
+//! down). Else up and down tell the sign of the Jacobian's determinant, which cannot change but through a singular pose, and
+//! right and left are the order of joint 3's value among those of the same sign.
+
+use crate::ik::ROUND_OFF;
+use crate::ik::base::{Placed, Placements};
+use crate::ik::conic::{self, Path, Way};
+use crate::math::{self, Float};
+use crate::pose::dot;
+use crate::solutions::{ArmPosture, Boundary, Branch, Reason};
+
+/// The axis of a joint, where the arm stands with all figure values zero.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Axis<T> {
+    /// Whether the joint slides along it instead of turning about it.
+    pub slides: bool,
+    /// Its unit direction, in which a slide's value grows and about which a turn's does, in the axes of the first row's frame.
+    pub direction: [T; 3],
+    /// A point of it, in the same axes, from the base's origin.
+    pub point: [T; 3],
+}
+
+/// Three joints of any kind and the point that they carry, in the axes of the first row's frame, from an origin on axis 1.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct GeneralBase<T> {
+    /// The axes of joints 1, 2 and 3.
+    pub axes: [Axis<T>; 3],
+    /// The carried point, where the arm stands with all figure values zero.
+    pub carried: [T; 3],
+    /// The figure values where the row values are 0.
+    pub offset: [T; 3],
+    /// The arm's reach.
+    pub reach: T,
+}
+
+/// The most refining steps; an ordinary solution needs one.
+const STEPS: usize = 16;
+
+/// How far, in √ε of the size, a figure may stay open and still be handed to the refinement: the round-off of a double root.
+const SLACK: f64 = 64.0;
+
+fn less<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
+    [a - x, b - y, c - z]
+}
+
+fn plus<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3], times: T) -> [T; 3] {
+    [a + times * x, b + times * y, c + times * z]
+}
+
+fn cross<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+fn length<T: Float>(v: [T; 3]) -> T {
+    math::sqrt(dot(&v, &v))
+}
+
+fn largest<T: Float>([a, b, c]: [T; 3]) -> T {
+    math::max(math::max(math::abs(a), math::abs(b)), math::abs(c))
+}
+
+/// A unit vector at right angles to a unit vector, made with the coordinate axis that it is farthest from.
+fn across<T: Float>(z @ [x, y, w]: [T; 3]) -> [T; 3] {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (x, y, w) = (math::abs(x), math::abs(y), math::abs(w));
+    let farthest = if x <= y && x <= w {
+        [one, zero, zero]
+    } else if y <= w {
+        [zero, one, zero]
+    } else {
+        [zero, zero, one]
+    };
+    let v = cross(farthest, z);
+    v.map(|c| c / length(v))
+}
+
+impl<T: Float> Axis<T> {
+    /// From the foot on the axis to the point.
+    fn arm(&self, point: [T; 3]) -> [T; 3] {
+        let offset = less(point, self.point);
+        plus(offset, self.direction, -dot(&self.direction, &offset))
+    }
+
+    /// A vector turned by the joint's value.
+    fn turned(&self, v: [T; 3], value: T) -> [T; 3] {
+        if self.slides {
+            return v;
+        }
+        let (s, c) = math::sin_cos(value);
+        let along = dot(&self.direction, &v);
+        let [x, y, z] = plus(v, self.direction, -along);
+        plus(plus([c * x, c * y, c * z], cross(self.direction, v), s), self.direction, along)
+    }
+
+    /// A point moved by the joint's value.
+    fn moved(&self, point: [T; 3], value: T) -> [T; 3] {
+        if self.slides {
+            plus(point, self.direction, value)
+        } else {
+            plus(self.turned(less(point, self.point), value), self.point, T::lit(1.0))
+        }
+    }
+
+    /// How a point moves with the joint's value.
+    fn velocity(&self, point: [T; 3]) -> [T; 3] {
+        if self.slides { self.direction } else { cross(self.direction, less(point, self.point)) }
+    }
+}
+
+/// What joint 2 cannot change of a point.
+struct View<T> {
+    axis: Axis<T>,
+    /// Across the direction of a slide.
+    across: [[T; 3]; 2],
+}
+
+impl<T: Float> View<T> {
+    fn new(axis: &Axis<T>, near: [T; 3]) -> Self {
+        let x = across(axis.direction);
+        let along = dot(&axis.direction, &less(near, axis.point));
+        let point = plus(axis.point, axis.direction, along);
+        View { axis: Axis { point, ..*axis }, across: [x, cross(axis.direction, x)] }
+    }
+
+    /// The path of a point from the middle, in directions x and y of length one.
+    fn circle(&self, centre: [T; 3], x: [T; 3], y: [T; 3], radius: T) -> Path<T> {
+        let z = &self.axis.direction;
+        if self.axis.slides {
+            let seen = |v: [T; 3]| self.across.map(|a| dot(&a, &v));
+            return Path::Circle { centre: seen(centre), x: seen(x), y: seen(y), radius };
+        }
+        let offset = less(centre, self.axis.point);
+        let half = (dot(&offset, &offset) + radius * radius) * T::lit(0.5);
+        let seen = |v: [T; 3]| [dot(z, &v), dot(&offset, &v)];
+        Path::Circle { centre: [dot(z, &offset), half], x: seen(x), y: seen(y), radius }
+    }
+
+    fn line(&self, start: [T; 3], along: [T; 3]) -> Path<T> {
+        let (zero, half) = (T::lit(0.0), T::lit(0.5));
+        if self.axis.slides {
+            let seen = |v: [T; 3]| self.across.map(|a| dot(&a, &v));
+            return Path::Line { start: seen(start), along: seen(along), square: [zero; 2] };
+        }
+        let (z, offset) = (&self.axis.direction, less(start, self.axis.point));
+        Path::Line {
+            start: [dot(z, &offset), dot(&offset, &offset) * half],
+            along: [dot(z, &along), dot(&offset, &along)],
+            square: [zero, half],
+        }
+    }
+}
+
+/// The arm at some figure values, with the first joint taken back: what is missed, and how the joints move the point.
+struct Stance<T> {
+    missed: [T; 3],
+    velocities: [[T; 3]; 3],
+}
+
+/// The base and the point to be reached, all lengths divided by the size.
+struct Sized<T> {
+    axes: [Axis<T>; 3],
+    carried: [T; 3],
+    point: [T; 3],
+    /// Of the point about axis 1.
+    radius: T,
+}
+
+impl<T: Float> GeneralBase<T> {
+    /// All ways of putting the carried point at `p`. `size` is what round-off is compared with; `hold` are row values for
+    /// joints that turn out to be free.
+    pub fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
+        let sized = self.sized(p, size);
+        let (window, slack) = (T::lit(ROUND_OFF) * T::EPS, T::lit(SLACK) * math::sqrt(T::EPS));
+        let [first, second, third] = &sized.axes;
+        let view = View::new(second, plus(sized.carried, third.arm(sized.carried), -T::lit(1.0)));
+        let (from, azimuth) = sized.first_path(&view, first);
+        let to = sized.third_path(&view, third);
+        let [o1, o2, o3] = self.offset;
+        let [ru, rd, lu, ld] = conic::meet(&from, &to, window, slack, o3);
+        ArmPosture::slots(|posture| {
+            let way = *posture.of(&[ru, rd, lu, ld]);
+            let beyond = Reason::OutOfReach { by: size, towards: Boundary::Envelope, theta1: None };
+            let mut way = way.ok_or(beyond)?;
+            way.first = match (way.free, hold, azimuth) {
+                (true, Some([t1, _]), _) => t1 + o1,
+                (true, None, _) => o1,
+                (false, _, Some(azimuth)) => azimuth - way.first,
+                (false, _, None) => way.first,
+            };
+            sized
+                .settled(&way, hold.map(|[_, t2]| t2 + o2), o2, window)
+                .map(|(values, placed)| placed.rows(self, values, size))
+                .map_err(|by| Reason::OutOfReach { by: by * size, towards: Boundary::Envelope, theta1: None })
+        })
+    }
+
+    fn sized(&self, p: [T; 3], size: T) -> Sized<T> {
+        let scaled = |v: [T; 3]| v.map(|c| c / size);
+        let axes = self.axes.map(|axis| Axis { point: scaled(axis.point), ..axis });
+        let [first, ..] = &axes;
+        let point = scaled(p);
+        Sized { radius: length(first.arm(point)), carried: scaled(self.carried), point, axes }
+    }
+}
+
+/// What became of a way, before its values are those of the rows.
+struct Settled<T> {
+    shoulder: T,
+    elbow: T,
+    free: [bool; 2],
+}
+
+impl<T: Float> Settled<T> {
+    fn rows(&self, base: &GeneralBase<T>, [v1, v2, v3]: [T; 3], size: T) -> Placed<T> {
+        let ([a, b, c], [o1, o2, o3]) = (&base.axes, base.offset);
+        let row = |axis: &Axis<T>, value: T, offset: T| {
+            if axis.slides { value * size - offset } else { math::wrap(value - offset) }
+        };
+        let [shoulder_free, elbow_free] = self.free;
+        Placed {
+            rows: [row(a, v1, o1), row(b, v2, o2), row(c, v3, o3)],
+            shoulder: self.shoulder * size,
+            elbow: self.elbow,
+            shoulder_free,
+            elbow_free,
+        }
+    }
+}
+
+impl<T: Float> Sized<T> {
+    /// The point to be reached, moved back by joint 1; the azimuth from which a turning joint's angle is taken.
+    fn first_path(&self, view: &View<T>, axis: &Axis<T>) -> (Path<T>, Option<T>) {
+        let z = axis.direction;
+        if axis.slides {
+            return (view.line(self.point, z.map(|c| -c)), None);
+        }
+        let arm = axis.arm(self.point);
+        let x = across(z);
+        let y = cross(z, x);
+        let azimuth = math::atan2(dot(&y, &arm), dot(&x, &arm));
+        (view.circle(less(self.point, arm), x, y, self.radius), Some(azimuth))
+    }
+
+    /// The carried point, moved by joint 3.
+    fn third_path(&self, view: &View<T>, axis: &Axis<T>) -> Path<T> {
+        if axis.slides {
+            return view.line(self.carried, axis.direction);
+        }
+        let arm = axis.arm(self.carried);
+        let radius = length(arm);
+        let x = if radius > T::lit(0.0) { arm.map(|c| c / radius) } else { across(axis.direction) };
+        view.circle(less(self.carried, arm), x, cross(axis.direction, x), radius)
+    }
+
+    /// Joint 2, then all three refined. The error is by how much the point is missed.
+    fn settled(
+        &self,
+        way: &Way<T>,
+        hold: Option<T>,
+        convention: T,
+        window: T,
+    ) -> Result<([T; 3], Settled<T>), T> {
+        let [first, second, third] = &self.axes;
+        let from = third.moved(self.carried, way.third);
+        let to = first.moved(self.point, -way.first);
+        let (arm, goal) = (second.arm(from), second.arm(to));
+        let folded = !second.slides && length(arm) <= window;
+        let value = if second.slides {
+            dot(&second.direction, &less(to, from))
+        } else if folded {
+            hold.unwrap_or(convention)
+        } else {
+            math::atan2(dot(&second.direction, &cross(arm, goal)), dot(&arm, &goal))
+        };
+        let far = way.open
+            && largest(less(second.moved(from, value), to)) > T::lit(SLACK * SLACK) * math::sqrt(T::EPS);
+        let (values, stance) =
+            self.refined([way.first, value, way.third], way.free, if far { 0 } else { STEPS });
+        let miss = largest(stance.missed);
+        if way.open && miss > window + window {
+            return Err(miss);
+        }
+        let [j1, j2, j3] = stance.velocities;
+        let (pair, speed) = (cross(j1, j2), length(j2));
+        let shoulder = if folded || way.free { T::lit(0.0) } else { length(pair) / speed };
+        // The angle between the third motion and the plane of the first two.
+        let elbow = math::atan2(math::abs(dot(&pair, &j3)), length(cross(pair, j3)));
+        Ok((values, Settled { shoulder, elbow, free: [way.free, folded] }))
+    }
+
+    /// Figure values brought nearer to the point, as long as a step brings them nearer.
+    fn refined(&self, mut values: [T; 3], free: bool, steps: usize) -> ([T; 3], Stance<T>) {
+        let mut stance = self.stance(values, free);
+        for _ in 0..steps {
+            let miss = largest(stance.missed);
+            if miss <= T::EPS {
+                break;
+            }
+            let ([a, b, c], [v1, v2, v3]) = (stance.step(), values);
+            let next = [v1 + a, v2 + b, v3 + c];
+            let there = self.stance(next, free);
+            if largest(there.missed) < miss {
+                (values, stance) = (next, there);
+            } else {
+                break;
+            }
+        }
+        (values, stance)
+    }
+
+    fn stance(&self, [v1, v2, v3]: [T; 3], free: bool) -> Stance<T> {
+        let [first, second, third] = &self.axes;
+        let lifted = third.moved(self.carried, v3);
+        let placed = second.moved(lifted, v2);
+        let still = [T::lit(0.0); 3];
+        Stance {
+            missed: less(first.moved(self.point, -v1), placed),
+            velocities: [
+                if free { still } else { first.velocity(placed) },
+                second.velocity(placed),
+                second.turned(third.velocity(lifted), v2),
+            ],
+        }
+    }
+}
+
+impl<T: Float> Stance<T> {
+    /// The smallest step of the joints that closes the gap to first order: Jᵀ(JJᵀ + μ)⁻¹·gap, the damping μ such that it
+    /// stays below √ε where the joints cannot close it.
+    fn step(&self) -> [T; 3] {
+        let [a, b, c] = self.velocities;
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
+        let (x, y, z) = ([ax, bx, cx], [ay, by, cy], [az, bz, cz]);
+        let (xx, yy, zz) = (dot(&x, &x), dot(&y, &y), dot(&z, &z));
+        let (xy, xz, yz) = (dot(&x, &y), dot(&x, &z), dot(&y, &z));
+        let damping = (xx + yy + zz) * T::EPS * T::lit(16.0);
+        let rows = [[xx + damping, xy, xz], [xy, yy + damping, yz], [xz, yz, zz + damping]];
+        // Cramer's rule: the columns of the adjugate are cross products of the rows.
+        let [r0, r1, r2] = rows;
+        let (k0, k1, k2) = (cross(r1, r2), cross(r2, r0), cross(r0, r1));
+        let determinant = dot(&r0, &k0);
+        if determinant <= T::lit(0.0) {
+            return [T::lit(0.0); 3];
+        }
+        let [m0, m1, m2] = self.missed.map(|m| m / determinant);
+        let solved = plus(plus(k0.map(|k| k * m0), k1, m1), k2, m2);
+        [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
+    }
+}
