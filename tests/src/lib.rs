@@ -11,6 +11,7 @@
 //!                    └► dh: the same table as `.dh` text, for arms that `robots` does not declare
 //! ```
 
+pub mod bits;
 pub mod declared;
 pub mod dh;
 pub mod dual;

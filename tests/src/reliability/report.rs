@@ -89,6 +89,7 @@ pub fn markdown(state: &State) -> String {
     let _ = write!(text, "\n## Arms\n\n{}", arms(state));
     let _ = write!(text, "\n## Worst cases\n\n{}", CASES.replace("SEED", &state.seed.to_string()));
     let _ = worst_cases(&mut text, state);
+    text.push_str(TARGETS);
     text
 }
 
@@ -192,4 +193,11 @@ again, with all its solutions: `cargo run --release -p tests --bin reliability -
 
 | try | arm | what | bits |
 |---|---|---|---|
+";
+
+const TARGETS: &str = "
+## The same bits on every target
+
+`tests/no-std/bits.sh all` hashes `fk`, `jacobian` and the inverse of 2,000 poses of five arms on each target and compares with
+`tests/no-std/golden.txt`, which `cargo test` holds on the host. The script prints a table and fails if one differs.
 ";
