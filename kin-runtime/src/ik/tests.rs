@@ -329,3 +329,20 @@ fn folded_onto_the_first_axis_the_residual_stays_small() {
         assert!(solutions.iter().all(|solution| solution.residual <= 13.0 * EPS), "{solutions}");
     }
 }
+
+#[test]
+fn a_merged_slot_names_the_slot_that_holds_the_solution() {
+    let stretched = math::atan2(-0.4318, 0.0203);
+    let mut chained = 0;
+    for (q3, q5) in [(stretched, 0.0), (stretched, PI), (stretched + PI, 0.0), (stretched + PI, PI)] {
+        let solutions = PUMA_560.ik(&PUMA_560.fk(&pose::column([0.3, 0.2, q3, 0.1, q5, 0.2])));
+        for (branch, slot) in solutions.branches() {
+            if let Slot::Merged { with } = slot {
+                assert!(matches!(solutions.get(*with), Slot::Solved(_)), "{branch}\n{solutions}");
+                assert_eq!(solutions.solution(branch), solutions.get(*with).solution());
+                chained += usize::from(with.wrist != branch.wrist && with.elbow != branch.elbow);
+            }
+        }
+    }
+    assert!(chained >= 2, "{chained} slots are two mergers away from their solution");
+}

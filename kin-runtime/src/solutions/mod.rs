@@ -266,6 +266,15 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
                 }
             }
         }
+        // A slot that others were merged with may have been merged itself. Mergers point to earlier slots, so that one
+        // pass in the order of the branches takes each to the slot that holds the solution.
+        for branch in B::ALL {
+            if let Slot::Merged { with } = *self.get(*branch)
+                && let Slot::Merged { with: holder } = *self.get(with)
+            {
+                self.put(*branch, Slot::Merged { with: holder });
+            }
+        }
     }
 
     /// What one radian is compared with: 1, or the reach if the arm is shorter and has a slide.
