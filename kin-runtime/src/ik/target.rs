@@ -18,8 +18,8 @@ impl<T: Float> Target<T> {
     /// Checks a pose for an arm of the given reach.
     ///
     /// # Errors
-    /// The reason that every slot is to show: not finite, not a rotation, or so far away that the numbers themselves
-    /// would overflow.
+    /// The reason that every slot is to show: not finite, not a rotation, left-handed, or so far away that the numbers
+    /// themselves would overflow.
     pub fn new(pose: &Pose<T>, reach: T) -> Result<Self, Reason<T>> {
         let (rotation, position) = pose::rows(pose);
         let scale = size(&position, reach)?;
@@ -95,7 +95,7 @@ fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
     }
     let [x, y, z] = &r;
     if pose::dot(x, &cross(y, z)) < T::lit(0.0) {
-        return Err(Reason::NotARotation { defect: T::lit(2.0) });
+        return Err(Reason::LeftHanded);
     }
     for _ in 0..3 {
         if defect <= T::lit(4.0) * T::EPS {

@@ -39,6 +39,9 @@ impl<T: Float> fmt::Display for Reason<T> {
             Reason::NotARotation { defect } => {
                 write!(f, "the orientation inserted is not a rotation: R'R differs from 1 by {defect:.3e}")
             }
+            Reason::LeftHanded => {
+                f.write_str("the orientation inserted is left-handed: its determinant is -1, a rotation's is 1")
+            }
             Reason::OutOfReach { by, towards, theta1 } => {
                 if let Some(theta1) = theta1 {
                     write!(f, "for theta1 = {:.4}, ", plain(*theta1, 4))?;

@@ -8,9 +8,11 @@ pub enum Reason<T> {
     NotFinite,
     /// The orientation is not a rotation.
     NotARotation {
-        /// The largest entry of RᵀR - 1, or 2 for a reflection.
+        /// The largest entry of RᵀR - 1.
         defect: T,
     },
+    /// The orientation is a rotation and a reflection: its determinant is -1.
+    LeftHanded,
     /// The pose is too far away, or too near.
     OutOfReach {
         /// The distance to the nearest point that this figure reaches: a length, or radians for [`Boundary::WristCone`].

@@ -140,6 +140,7 @@ fn other_reasons_in_words() {
     assert!(
         words(Reason::NotARotation { defect: 0.25 }).as_str().ends_with("R'R differs from 1 by 2.500e-1")
     );
+    assert!(words(Reason::LeftHanded).as_str().contains("left-handed"));
     assert_eq!(
         words(Reason::Limit { joint: 2, by: 0.5 }).as_str(),
         "the limit of joint 3 is passed by 0.500000"
