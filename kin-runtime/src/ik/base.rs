@@ -147,12 +147,21 @@ struct Open<T> {
 
 impl<T: Float> Base<T> {
     /// All ways of putting the wrist centre at `p`, in the shoulder frame. `size` is what round-off is compared with;
-    /// `hold` are row values for joints that turn out to be free.
-    pub fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
+    /// `hold` are row values for joints that turn out to be free; without one, such a joint takes the value 0.
+    pub fn place(&self, p: [T; 3], size: T, hold: [Option<T>; 2]) -> Placements<T> {
         match self {
             Base::Elbow(base) => Planar::Elbow(base).place(p, size, hold),
             Base::Telescope(base) => Planar::Telescope(base).place(p, size, hold),
             Base::General(base) => base.place(p, size, hold),
+        }
+    }
+
+    /// Whether every constant is a finite number: parameters may have made it otherwise.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Base::Elbow(base) => Planar::Elbow(base).is_finite(),
+            Base::Telescope(base) => Planar::Telescope(base).is_finite(),
+            Base::General(base) => base.is_finite(),
         }
     }
 
@@ -167,7 +176,7 @@ impl<T: Float> Base<T> {
 }
 
 impl<T: Float> Planar<'_, T> {
-    fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
+    fn place(&self, p: [T; 3], size: T, hold: [Option<T>; 2]) -> Placements<T> {
         let (stand, window) = (self.stand(), T::lit(ROUND_OFF) * T::EPS * size);
         let sight = stand.sight(p, window);
         ArmPosture::slots(|posture| {
@@ -194,7 +203,7 @@ impl<T: Float> Planar<'_, T> {
         plane: &Plane<T>,
         posture: ArmPosture,
         window: T,
-        hold: Option<[T; 2]>,
+        hold: [Option<T>; 2],
     ) -> Result<Placed<T>, Open<T>> {
         let distance = math::hypot(plane.x, plane.v);
         let figure = match self {
@@ -202,10 +211,11 @@ impl<T: Float> Planar<'_, T> {
             Planar::Telescope(base) => base.slide(posture, distance, window),
         };
         let figure = figure.map_err(|open| Open { reason: open.reason.at(plane.t1), ..open })?;
-        let t2 = match (figure.free, hold) {
-            (false, _) => stand.second(math::atan2(plane.v, plane.x) - figure.lean),
-            (true, Some([_, t2])) => math::wrap(t2),
-            (true, None) => T::lit(0.0),
+        let [_, held] = hold;
+        let t2 = if figure.free {
+            held.map_or(T::lit(0.0), math::wrap)
+        } else {
+            stand.second(math::atan2(plane.v, plane.x) - figure.lean)
         };
         Ok(Placed {
             rows: [plane.t1, t2, figure.t3],
@@ -214,6 +224,16 @@ impl<T: Float> Planar<'_, T> {
             shoulder_free: plane.free,
             elbow_free: figure.free,
         })
+    }
+
+    fn is_finite(&self) -> bool {
+        let (offset, lengths) = match self {
+            Planar::Elbow(base) => (base.offset, [base.upper, base.fore]),
+            Planar::Telescope(base) => (base.offset, [base.arm, base.arm]),
+        };
+        let Stand { a1, twist: (sine, cosine), lateral, .. } = self.stand();
+        let all = |values: &[T]| values.iter().all(|x| math::is_finite(*x));
+        all(&offset) && all(&lengths) && all(&[a1, lateral, sine, cosine])
     }
 
     fn stand(&self) -> Stand<T> {
@@ -248,14 +268,15 @@ impl<T: Float> Stand<T> {
         [px, py, _]: [T; 3],
         sight: &Sight<T>,
         side: Shoulder,
-        hold: Option<[T; 2]>,
+        hold: [Option<T>; 2],
     ) -> Result<Plane<T>, Reason<T>> {
         match sight.chord {
             Chord::Apart(by) => Err(Reason::OutOfReach { by, towards: Boundary::Cylinder, theta1: None }),
             Chord::Cut(half) => Ok(self.turned(sight, if side == Shoulder::Right { half } else { -half })),
             Chord::Free => {
                 let ([offset, _], [reversed, _]) = (self.offset, self.reversed);
-                let t1 = hold.map_or(T::lit(0.0), |[t1, _]| math::wrap(t1));
+                let [held, _] = hold;
+                let t1 = held.map_or(T::lit(0.0), math::wrap);
                 let (s, c) = math::sin_cos(figure_angle(t1, offset, reversed));
                 let [along, _] = turn([px, py], (-s, c));
                 Ok(Plane { t1, x: along - self.a1, v: sight.v, free: true })

@@ -176,9 +176,17 @@ struct Sized<T> {
 }
 
 impl<T: Float> GeneralBase<T> {
+    /// Whether every constant is a finite number: parameters may have made it otherwise.
+    pub fn is_finite(&self) -> bool {
+        let all = |values: &[T]| values.iter().all(|x| math::is_finite(*x));
+        let axes = self.axes.iter().all(|axis| all(&axis.direction) && all(&axis.point));
+        axes && all(&self.carried) && all(&self.offset)
+    }
+
     /// All ways of putting the carried point at `p`. `size` is what round-off is compared with; `hold` are row values for
     /// joints that turn out to be free.
-    pub fn place(&self, p: [T; 3], size: T, hold: Option<[T; 2]>) -> Placements<T> {
+    pub fn place(&self, p: [T; 3], size: T, hold: [Option<T>; 2]) -> Placements<T> {
+        let [held1, held2] = hold;
         let sized = self.sized(p, size);
         let (window, slack) = (T::lit(ROUND_OFF) * T::EPS, T::lit(SLACK) * math::sqrt(T::EPS));
         let [first, second, third] = &sized.axes;
@@ -191,14 +199,14 @@ impl<T: Float> GeneralBase<T> {
             let way = *posture.of(&[ru, rd, lu, ld]);
             let beyond = Reason::OutOfReach { by: size, towards: Boundary::Envelope, theta1: None };
             let mut way = way.ok_or(beyond)?;
-            way.first = match (way.free, hold, azimuth) {
-                (true, Some([t1, _]), _) => t1 + o1,
+            way.first = match (way.free, held1, azimuth) {
+                (true, Some(t1), _) => t1 + o1,
                 (true, None, _) => o1,
                 (false, _, Some(azimuth)) => azimuth - way.first,
                 (false, _, None) => way.first,
             };
             sized
-                .settled(&way, hold.map(|[_, t2]| t2 + o2), o2, window)
+                .settled(&way, held2.map(|t2| t2 + o2), o2, window)
                 .map(|(values, placed)| placed.rows(self, values, size))
                 .map_err(|by| Reason::OutOfReach { by: by * size, towards: Boundary::Envelope, theta1: None })
         })

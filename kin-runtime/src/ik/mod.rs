@@ -64,6 +64,11 @@ fn given_out<T: Float, const N: usize>(mut q: [T; N], joints: &[Joint; N]) -> Jo
     pose::column(q)
 }
 
+/// The values to hold on to: one that is not finite is none.
+fn finite<T: Float, const N: usize>(hold: [T; N]) -> [Option<T>; N] {
+    hold.map(|value| Some(value).filter(|value| math::is_finite(*value)))
+}
+
 /// The joints whose values are lengths.
 fn sliding<const N: usize>(joints: &[Joint; N]) -> JointSet {
     let slides = joints.iter().enumerate().filter(|(_, joint)| joint.kind == JointKind::Prismatic);

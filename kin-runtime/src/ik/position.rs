@@ -1,7 +1,7 @@
 //! Three joints: the base alone puts the tool point in its place.
 
 use crate::ik::target::{accepted, distance, size};
-use crate::ik::{given_out, sliding};
+use crate::ik::{finite, given_out, sliding};
 use crate::math::Float;
 use crate::pose::{self, Joints};
 use crate::private::SolvePosition;
@@ -10,27 +10,27 @@ use nalgebra::Point3;
 
 /// All solutions; a free joint takes the value 0.
 pub fn solve<T: Float, A: SolvePosition<3>>(arm: &A, p: &Point3<T>) -> Solutions<T, 3, ArmPosture> {
-    solve_choosing(arm, p, None)
+    solve_choosing(arm, p, [None; 2])
 }
 
-/// All solutions; a free joint keeps its value in `hold`.
+/// All solutions; a free joint keeps its value in `hold`, or takes 0 if that is not finite.
 pub fn solve_holding<T: Float, A: SolvePosition<3>>(
     arm: &A,
     p: &Point3<T>,
     hold: &Joints<T, 3>,
 ) -> Solutions<T, 3, ArmPosture> {
-    let [t1, t2, _] = arm.rows(pose::entries(hold));
-    solve_choosing(arm, p, Some([t1, t2]))
+    let [t1, t2, _] = finite(arm.rows(pose::entries(hold)));
+    solve_choosing(arm, p, [t1, t2])
 }
 
 fn solve_choosing<T: Float, A: SolvePosition<3>>(
     arm: &A,
     p: &Point3<T>,
-    hold: Option<[T; 2]>,
+    hold: [Option<T>; 2],
 ) -> Solutions<T, 3, ArmPosture> {
     let (sliding, base) = (sliding(&A::JOINTS), arm.base::<T>());
     let wanted = pose::entries(&p.coords);
-    let size = match size(&wanted, base.reach()) {
+    let size = match size(&wanted, &base) {
         Ok(size) => size,
         Err(reason) => return Solutions::none(sliding, reason),
     };

@@ -7,7 +7,7 @@
 use crate::ik::base::Placed;
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::Wrist;
-use crate::ik::{given_out, sliding};
+use crate::ik::{finite, given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
@@ -18,30 +18,30 @@ use nalgebra::SVector;
 
 /// All solutions; free coordinates by the convention of seed 000.
 pub fn solve<T: Float, A: SolveWrist<6>>(arm: &A, pose: &Pose<T>) -> Solutions<T, 6, Posture> {
-    solve_choosing(arm, pose, None)
+    solve_choosing(arm, pose, [None; 6])
 }
 
-/// All solutions; free coordinates keep their values in `hold`.
+/// All solutions; free coordinates keep their values in `hold`, those that are not finite take the convention's.
 pub fn solve_holding<T: Float, A: SolveWrist<6>>(
     arm: &A,
     pose: &Pose<T>,
     hold: &Joints<T, 6>,
 ) -> Solutions<T, 6, Posture> {
-    solve_choosing(arm, pose, Some(arm.rows(pose::entries(hold))))
+    solve_choosing(arm, pose, finite(arm.rows(pose::entries(hold))))
 }
 
 fn solve_choosing<T: Float, A: SolveWrist<6>>(
     arm: &A,
     pose: &Pose<T>,
-    hold: Option<[T; 6]>,
+    hold: [Option<T>; 6],
 ) -> Solutions<T, 6, Posture> {
     let (sliding, base) = (sliding(&A::JOINTS), arm.base::<T>());
-    let target = match Target::new(pose, base.reach()) {
+    let target = match Target::new(pose, &base) {
         Ok(target) => target,
         Err(reason) => return Solutions::none(sliding, reason),
     };
-    let held = hold.map(|[t1, t2, ..]| [t1, t2]);
-    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, held);
+    let [t1, t2, ..] = hold;
+    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
     let task = Task { arm, target, hold };
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
     for posture in ArmPosture::ALL {
@@ -60,7 +60,7 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
 struct Task<'a, T: Float, A> {
     arm: &'a A,
     target: Target<T>,
-    hold: Option<[T; 6]>,
+    hold: [Option<T>; 6],
 }
 
 impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
@@ -81,10 +81,8 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
                 [slot(Bend::NoFlip, noflip, margin, None), slot(Bend::Flip, flip, margin, None)]
             }
             Wrist::Family(family) => {
-                let member = match self.hold {
-                    Some([_, _, _, t4, _, _]) => family.member(t4),
-                    None => family.even(),
-                };
+                let [_, _, _, held, _, _] = self.hold;
+                let member = held.map_or_else(|| family.even(), |t4| family.member(t4));
                 let merged = Slot::Merged { with: posture.with(Bend::NoFlip) };
                 match slot(Bend::NoFlip, member, T::lit(0.0), Some(self.line(family.difference))) {
                     Slot::Empty(reason) => [Slot::Empty(reason); 2],
@@ -107,11 +105,12 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
     fn reached(&self, placed: &Placed<T>) -> ([T; 3], Wrist<T>) {
         let convention = self.wrist(placed.rows);
         let [t1, t2, t3] = placed.rows;
-        let free = placed.shoulder_free || placed.elbow_free;
-        if free && self.hold.is_none() && matches!(convention, Wrist::OutOfReach { .. }) {
+        let [held1, held2, ..] = self.hold;
+        let free = (placed.shoulder_free && held1.is_none()) || (placed.elbow_free && held2.is_none());
+        if free && matches!(convention, Wrist::OutOfReach { .. }) {
             for turn in 1..16 {
                 let step = math::half_turn::<T>() * T::lit(0.125 * f64::from(turn));
-                let turned = if placed.shoulder_free {
+                let turned = if placed.shoulder_free && held1.is_none() {
                     [math::wrap(t1 + step), t2, t3]
                 } else {
                     [t1, math::wrap(t2 + step), t3]

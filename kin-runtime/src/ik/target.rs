@@ -1,6 +1,6 @@
 //! The pose to be reached: whether it can be asked for at all, and whether joint values reach it.
 
-use crate::ik::ACCEPTED;
+use crate::ik::{ACCEPTED, Base};
 use crate::math::{self, Float};
 use crate::pose::{self, Pose};
 use crate::solutions::{Boundary, Reason};
@@ -15,14 +15,14 @@ pub struct Target<T: Float> {
 }
 
 impl<T: Float> Target<T> {
-    /// Checks a pose for an arm of the given reach.
+    /// Checks a pose for an arm with the given base.
     ///
     /// # Errors
-    /// The reason that every slot is to show: not finite, not a rotation, left-handed, or so far away that the numbers
+    /// The reason that every slot is to show: not an arm, not finite, not a rotation, left-handed, or so far away that the numbers
     /// themselves would overflow.
-    pub fn new(pose: &Pose<T>, reach: T) -> Result<Self, Reason<T>> {
+    pub fn new(pose: &Pose<T>, base: &Base<T>) -> Result<Self, Reason<T>> {
         let (rotation, position) = pose::rows(pose);
-        let scale = size(&position, reach)?;
+        let scale = size(&position, base)?;
         let rotation = orthonormal(rotation)?;
         Ok(Self { pose: pose::from_rows(rotation, position), scale })
     }
@@ -41,11 +41,18 @@ impl<T: Float> Target<T> {
     }
 }
 
-/// The size of a position, at least `reach`.
+/// The size of a position, at least the arm's reach.
 ///
 /// # Errors
-/// An entry is not finite, or so large that no figure can be trusted.
-pub fn size<T: Float>(position: &[T; 3], reach: T) -> Result<T, Reason<T>> {
+/// An entry is not finite, or so large that no figure can be trusted; or the arm itself is nothing to compare with.
+pub fn size<T: Float>(position: &[T; 3], base: &Base<T>) -> Result<T, Reason<T>> {
+    let reach = base.reach();
+    // The squares of the smallest length that counts and of the farthest position must both be numbers.
+    let (least, most) = (reach * T::EPS, reach / T::EPS);
+    let sound = reach > T::lit(0.0) && least * least > T::lit(0.0) && math::is_finite(most * most);
+    if !(sound && base.is_finite()) {
+        return Err(Reason::NotAnArm);
+    }
     let largest = distance(position, &[T::lit(0.0); 3]);
     if !math::is_finite(largest) || !position.iter().all(|x| math::is_finite(*x)) {
         return Err(Reason::NotFinite);
@@ -75,7 +82,8 @@ pub fn accepted<T: Float>(residual: T) -> Result<T, Reason<T>> {
     if residual <= T::lit(ACCEPTED) * T::EPS {
         return Ok(residual);
     }
-    Err(Reason::Inaccurate { residual: known(residual) })
+    // The pose is finite and so are the figures: what else spoils the residual are numbers of the arm beyond them.
+    Err(if math::is_finite(residual) { Reason::Inaccurate { residual } } else { Reason::NotAnArm })
 }
 
 /// A number to report, where the true one overflowed.

@@ -342,3 +342,53 @@ fn a_merged_slot_names_the_slot_that_holds_the_solution() {
     }
     assert!(chained >= 2, "{chained} slots are two mergers away from their solution");
 }
+
+#[test]
+fn what_cannot_be_held_on_to_takes_the_convention() {
+    let q = pose::column([0.3, 0.5, -0.2, 0.4, 0.0, 0.7]);
+    let pose = PUMA_560.fk(&q);
+    let convention = PUMA_560.ik(&pose);
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(PUMA_560.ik_holding(&pose, &pose::column([value; 6])), convention);
+    }
+    // What is a number is held on to, however many turns it is, beside others that are not.
+    for q4 in [0.4, 0.4 + 20.0 * PI, 1e300, -f64::MAX] {
+        let held = PUMA_560.ik_holding(&pose, &pose::column([f64::NAN, 0.0, 0.0, q4, 0.0, 0.0]));
+        assert_eq!(held.len(), convention.len(), "{held}");
+        let family = held.iter().find(|s| !s.is_isolated()).unwrap();
+        assert!(math::wrap(family.q[3] - math::wrap(q4)).abs() < 1e-15);
+    }
+    let folded = Point3::new(0.0, 0.0, 0.168);
+    let held = LabRrr.ik_position_holding(&folded, &pose::column([f64::NAN; 3]));
+    assert_eq!(held, LabRrr.ik_position(&folded));
+}
+
+#[test]
+fn numbers_that_are_no_arm_are_said_so() {
+    let mut arm = Figures::<false>::random(&mut Random(11), true);
+    (arm.offset, arm.coupled) = ([0.0; 6], false);
+    let pose = arm.fk(&pose::column([0.3, 0.5, -0.2, 0.4, 0.6, 0.7]));
+    let says = |arm: Figures<false>| {
+        let no_arm =
+            |slots: &[Slot<f64, 6, Posture>]| slots.iter().all(|slot| *slot == Slot::Empty(Reason::NotAnArm));
+        assert!(no_arm(arm.ik(&pose).slots()), "{arm:?}\n{}", arm.ik(&pose));
+    };
+    assert!(!arm.ik(&pose).is_empty());
+    for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, 1e-200] {
+        says(Figures { links: [wild, wild], a1: 0.0, lateral: 0.0, tool: [0.0; 3], ..arm });
+    }
+    for wild in [f64::NAN, f64::INFINITY] {
+        says(Figures { offset: [0.0, wild, 0.0, 0.0, 0.0, 0.0], ..arm });
+        says(Figures { offset: [0.0, 0.0, 0.0, wild, 0.0, 0.0], ..arm });
+        says(Figures { twist: wild, ..arm });
+        says(Figures { lateral: wild, ..arm });
+    }
+    says(Figures { links: [0.0; 2], a1: 0.0, lateral: 0.0, tool: [0.0; 3], ..arm });
+    // Small and large arms are arms.
+    for size in [1e-30, 1e30] {
+        let links = arm.links.map(|link| size * link);
+        let arm =
+            Figures { links, a1: 0.0, lateral: 0.0, tool: [0.0; 3], base: (arm.base.0, [0.0; 3]), ..arm };
+        judge::<f64, _>(&arm, &pose::column([0.3, 0.5, 1.2, 0.4, 0.6, 0.7]), 16.0);
+    }
+}

@@ -44,8 +44,10 @@ pub struct WristFamily<T> {
 impl<T: Float> WristFamily<T> {
     /// The member with the given t4.
     pub fn member(&self, t4: T) -> [T; 3] {
+        // Before anything is added to it: many turns would leave no digits for the constant.
+        let t4 = math::wrap(t4);
         let t6 = if self.difference { t4 - self.constant } else { self.constant - t4 };
-        [math::wrap(t4), self.straight, math::wrap(t6)]
+        [t4, self.straight, math::wrap(t6)]
     }
 
     /// The member that shares the constant evenly between joints 4 and 6: the convention of seed 000. Where that

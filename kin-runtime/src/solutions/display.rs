@@ -36,12 +36,15 @@ impl<T: Float> fmt::Display for Reason<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Reason::NotFinite => f.write_str("the coordinates inserted are not finite numbers"),
+            Reason::NotAnArm => f.write_str(
+                "the lengths and angles of the arm itself are not finite, or its lengths come to nothing",
+            ),
             Reason::NotARotation { defect } => {
                 write!(f, "the orientation inserted is not a rotation: R'R differs from 1 by {defect:.3e}")
             }
-            Reason::LeftHanded => {
-                f.write_str("the orientation inserted is left-handed: its determinant is -1, a rotation's is 1")
-            }
+            Reason::LeftHanded => f.write_str(
+                "the orientation inserted is left-handed: its determinant is -1, a rotation's is 1",
+            ),
             Reason::OutOfReach { by, towards, theta1 } => {
                 if let Some(theta1) = theta1 {
                     write!(f, "for theta1 = {:.4}, ", plain(*theta1, 4))?;

@@ -6,6 +6,9 @@
 pub enum Reason<T> {
     /// An entry of the pose is infinite or not a number.
     NotFinite,
+    /// The arm's own numbers, which its parameters may have made so: one is not finite, or the lengths come to nothing,
+    /// or to so much that their squares would overflow.
+    NotAnArm,
     /// The orientation is not a rotation.
     NotARotation {
         /// The largest entry of RᵀR - 1.
