@@ -13,12 +13,13 @@
 //!
 //! # Round-off
 //!
-//! Three windows decide, each a multiple of ε times the size of what is compared (the arm's reach, or the pose's
+//! Four windows decide, each a multiple of ε times the size of what is compared (the arm's reach, or the pose's
 //! distance from the base if that is larger):
 //!
 //! * [`ROUND_OFF`]: a figure that closes but for this counts as just touching, and is clamped there; one that is
 //!   smaller than this has collapsed, and leaves its angle free;
 //! * [`FAMILY`]: a wrist bent by less than this leaves the sum or the difference of its outer angles free;
+//! * [`DOUBTFUL`]: a wrist bent by less than this may do so, where the first three joints amplify round-off so much;
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
 pub mod base;
@@ -50,6 +51,10 @@ pub const ROUND_OFF: f64 = 8.0;
 /// The bend of a wrist whose axes 4 and 6 count as coinciding, in units of ε: the rounding of the first three joints
 /// is in it. All members of the family then reach the pose within [`ACCEPTED`].
 pub const FAMILY: f64 = 32.0;
+
+/// The largest bend that may be round-off of the first three joints, in units of ε: near a stretched elbow, or where the
+/// shoulders meet, they amplify that of the wrist centre. Forward kinematics of the family's members decides.
+pub const DOUBTFUL: f64 = 64.0;
 
 /// The largest residual of a solution that is given out, in units of ε.
 pub const ACCEPTED: f64 = 64.0;

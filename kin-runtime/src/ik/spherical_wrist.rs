@@ -7,7 +7,7 @@
 use crate::ik::base::Placed;
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::Wrist;
-use crate::ik::{finite, given_out, sliding};
+use crate::ik::{ACCEPTED, ROUND_OFF, finite, given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
@@ -67,6 +67,7 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
     /// The two slots of one placement of the wrist centre.
     fn bend(&self, posture: ArmPosture, placed: &Placed<T>) -> [Slot<T, 6, Posture>; 2] {
         let (rows, wrist) = self.reached(placed);
+        let wrist = self.decided(rows, wrist);
         let slot = |bend, wrist_rows, margin, line| {
             let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: Some(margin) };
             let free = Free {
@@ -77,7 +78,7 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
             self.checked(posture.with(bend), joined(rows, wrist_rows), margins, free)
         };
         match wrist {
-            Wrist::Two { noflip, flip, margin } => {
+            Wrist::Two { noflip, flip, margin, .. } => {
                 [slot(Bend::NoFlip, noflip, margin, None), slot(Bend::Flip, flip, margin, None)]
             }
             Wrist::Family(family) => {
@@ -94,6 +95,16 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
                 [Slot::Empty(Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) }); 2]
             }
         }
+    }
+
+    /// Two ways that are one family but for round-off of the base become that family, if its members reach the pose.
+    /// All of them turn the tool alike, so that one speaks for the rest; what it leaves is for their own round-off.
+    fn decided(&self, rows: [T; 3], wrist: Wrist<T>) -> Wrist<T> {
+        let Wrist::Two { doubt: Some(family), .. } = wrist else { return wrist };
+        let straight = self.arm.command(joined(rows, family.member(T::lit(0.0))));
+        let residual = self.target.missed_by(&self.arm.fk(&given_out(straight, &A::JOINTS)));
+        let within = residual <= T::lit(ACCEPTED - ROUND_OFF) * T::EPS;
+        if within { Wrist::Family(family) } else { wrist }
     }
 
     fn wrist(&self, rows: [T; 3]) -> Wrist<T> {

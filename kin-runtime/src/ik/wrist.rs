@@ -1,7 +1,7 @@
 //! Three axes through one point: the last three joints from the rotation that they must produce.
 
 use crate::geometry::{Corner, cone_meets_cone};
-use crate::ik::{FAMILY, ROUND_OFF};
+use crate::ik::{DOUBTFUL, FAMILY, ROUND_OFF};
 use crate::math::{self, Float};
 use crate::pose;
 
@@ -16,6 +16,9 @@ pub enum Wrist<T> {
         flip: [T; 3],
         /// The angle of the bend from where the three axes lie in one plane.
         margin: T,
+        /// The family that this would be if the bend were round-off, where it is small enough to be just that: the
+        /// rotation alone does not tell.
+        doubt: Option<WristFamily<T>>,
     },
     /// Axes 4 and 6 coincide: infinitely many ways.
     Family(WristFamily<T>),
@@ -103,16 +106,16 @@ pub fn zyz<T: Float>(m: [[T; 3]; 3], rows: &Rows<T>) -> Wrist<T> {
     let sin_b = math::hypot(m13, m23);
     let a = math::atan2(m23, m13);
     let b = math::atan2(sin_b, m33);
-    let singular = sin_b <= T::lit(FAMILY) * T::EPS;
+    let singular = sin_b <= T::lit(DOUBTFUL) * T::EPS;
     // Away from the singularity the third column is itself the direction (cos a, sin a), but for its length.
     let (sa, ca) = if singular { math::sin_cos(a) } else { (m23, m13) };
     let c = math::atan2(ca * m21 - sa * m11, ca * m22 - sa * m12);
-    if singular {
+    let family = singular.then(|| {
         let straight = if m33 < T::lit(0.0) { math::half_turn() } else { T::lit(0.0) };
-        return family([a, b, c], [a, straight, c], sin_b, m33, rows);
-    }
+        family([a, b, c], [a, straight, c], sin_b, m33, rows)
+    });
     let [noflip, flip] = [[a, b, c], [opposite(a), -b, opposite(c)]].map(|angles| rows.values(angles));
-    Wrist::Two { noflip, flip, margin: from_straight(b) }
+    told(noflip, flip, from_straight(b), family)
 }
 
 /// How far an angle in [0, π] is from the nearer end.
@@ -122,13 +125,21 @@ fn from_straight<T: Float>(bend: T) -> T {
 
 /// The family of a wrist by figure angles: the member `own` that fits best, and a member bent so that axes 4 and 6
 /// coincide exactly; the sign of `cosine` tells whether they then have the same sense.
-fn family<T: Float>(own: [T; 3], exact: [T; 3], tilt: T, cosine: T, rows: &Rows<T>) -> Wrist<T> {
+fn family<T: Float>(own: [T; 3], exact: [T; 3], tilt: T, cosine: T, rows: &Rows<T>) -> WristFamily<T> {
     let [first, _, last] = rows.reversed;
     let [t4, straight, t6] = rows.values(exact);
     // In figure angles a + c is constant where the axes agree, a - c where they oppose; one reversed joint swaps that.
     let difference = (cosine < T::lit(0.0)) != (first != last);
     let constant = math::wrap(if difference { t4 - t6 } else { t4 + t6 });
-    Wrist::Family(WristFamily { difference, constant, straight, own: rows.values(own), tilt })
+    WristFamily { difference, constant, straight, own: rows.values(own), tilt }
+}
+
+/// Two ways, or the family where the tilt between axes 4 and 6 is surely round-off.
+fn told<T: Float>(noflip: [T; 3], flip: [T; 3], margin: T, family: Option<WristFamily<T>>) -> Wrist<T> {
+    match family {
+        Some(family) if family.tilt <= T::lit(FAMILY) * T::EPS => Wrist::Family(family),
+        doubt => Wrist::Two { noflip, flip, margin, doubt },
+    }
 }
 
 /// An oblique wrist: m = Rz(a)·K4·Rz(b)·K5·Rz(c), by rows; K4 and K5 are constant rotations.
@@ -151,12 +162,12 @@ pub fn oblique<T: Float>(m: [[T; 3]; 3], k4: [[T; 3]; 3], k5: [[T; 3]; 3], rows:
         Corner::TooFar(by) | Corner::TooNear(by) => return Wrist::OutOfReach { by },
     };
     let noflip = bent(&m, &k4, &k5, closest + swing);
-    if sin_46 <= T::lit(FAMILY) * T::EPS {
+    let family = (sin_46 <= T::lit(DOUBTFUL) * T::EPS).then(|| {
         let straight = if m33 < T::lit(0.0) { closest + math::half_turn() } else { closest };
-        return family(noflip, bent(&m, &k4, &k5, straight), sin_46, m33, rows);
-    }
+        family(noflip, bent(&m, &k4, &k5, straight), sin_46, m33, rows)
+    });
     let flip = bent(&m, &k4, &k5, closest - swing);
-    Wrist::Two { noflip: rows.values(noflip), flip: rows.values(flip), margin: from_straight(swing) }
+    told(rows.values(noflip), rows.values(flip), from_straight(swing), family)
 }
 
 /// The figure angles of an oblique wrist whose bend is known: a turns axis 6 to its place, c takes what is left.
