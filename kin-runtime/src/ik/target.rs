@@ -59,7 +59,7 @@ pub fn size<T: Float>(position: &[T; 3], base: &Base<T>) -> Result<T, Reason<T>>
     }
     if largest * T::EPS > reach {
         // Beyond this the squares of a figure could overflow, and the arm is less than round-off of the distance.
-        return Err(Reason::OutOfReach { by: largest - reach, towards: Boundary::OuterCircle, theta1: None });
+        return Err(Reason::OutOfReach { by: largest - reach, towards: Boundary::Reach, theta1: None });
     }
     Ok(math::max(largest, reach))
 }

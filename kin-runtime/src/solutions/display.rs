@@ -1,7 +1,7 @@
 //! The sentences: those that the program of seed 000 prints (its sections 5 and 6), each followed by our numbers.
 
 use super::{Boundary, Branch, Constraint, Family, JointSet, Reason, Singularity, Slot, Solution, Solutions};
-use crate::math::Float;
+use crate::math::{self, Float};
 use crate::pose::{self, plain};
 use core::fmt;
 
@@ -28,8 +28,17 @@ impl fmt::Display for Boundary {
             Boundary::InnerCircle => "the inner circle",
             Boundary::Envelope => "the surface that the arm reaches",
             Boundary::WristCone => "the cone of the wrist",
+            Boundary::Reach => "the reach of the arm",
         })
     }
+}
+
+/// From here on a number is written with its exponent: nobody reads its last digits, and it may have three hundred.
+const LARGE: f64 = 1e9;
+
+/// Six decimals; what they would show as nothing, or as a long row of digits, is written with its exponent.
+fn write_amount<T: Float>(f: &mut fmt::Formatter<'_>, by: T) -> fmt::Result {
+    if by < T::lit(1e-3) || by >= T::lit(LARGE) { write!(f, "{by:.3e}") } else { write!(f, "{by:.6}") }
 }
 
 impl<T: Float> fmt::Display for Reason<T> {
@@ -50,20 +59,18 @@ impl<T: Float> fmt::Display for Reason<T> {
                     write!(f, "for theta1 = {:.4}, ", plain(*theta1, 4))?;
                 }
                 f.write_str("the coordinates inserted are out of reach: ")?;
-                // A distance that six decimals would show as nothing is written with its exponent.
-                if *by < T::lit(1e-3) {
-                    write!(f, "{by:.3e}")?
-                } else {
-                    write!(f, "{by:.6}")?
-                }
+                write_amount(f, *by)?;
                 let side = match towards {
-                    Boundary::OuterCircle => "beyond",
+                    Boundary::OuterCircle | Boundary::Reach => "beyond",
                     Boundary::WristCone | Boundary::Envelope => "off",
                     Boundary::Cylinder | Boundary::InnerCircle => "inside",
                 };
                 write!(f, " {side} {towards}")
             }
-            Reason::Limit { joint, by } => write!(f, "the limit of joint {} is passed by {by:.6}", joint + 1),
+            Reason::Limit { joint, by } => {
+                write!(f, "the limit of joint {} is passed by ", joint + 1)?;
+                write_amount(f, *by)
+            }
             Reason::Inaccurate { residual } => {
                 write!(
                     f,
@@ -129,23 +136,37 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
     }
 }
 
-/// Writes the joint values in columns of the given number of decimals.
-fn write_joints<T: Float, const N: usize, B>(
-    f: &mut fmt::Formatter<'_>,
-    solution: &Solution<T, N, B>,
-    digits: usize,
-) -> fmt::Result {
-    let width = digits + 6;
-    for value in pose::entries(&solution.q) {
-        write!(f, "{:width$.digits$}", plain(value, digits))?;
+/// A joint value as it stands in its column.
+fn write_joint<T: Float>(f: &mut fmt::Formatter<'_>, value: T, width: usize, digits: usize) -> fmt::Result {
+    if math::abs(value) >= T::lit(LARGE) {
+        write!(f, "{value:width$.digits$e}")
+    } else {
+        write!(f, "{:width$.digits$}", plain(value, digits))
     }
-    Ok(())
 }
 
+/// How many characters a joint value takes, its sign always counted, and exponents and what they stand for as well.
+fn length<T: Float>(value: T, digits: usize) -> usize {
+    let (mut left, mut whole) = (math::abs(value), 1);
+    // At most nine rounds: larger numbers have exponents.
+    while left >= T::lit(10.0) && left < T::lit(LARGE) {
+        left /= T::lit(10.0);
+        whole += 1;
+    }
+    let exponent = if left >= T::lit(LARGE) { "e308".len() } else { 0 };
+    "-.".len() + whole + digits + exponent
+}
+
+/// The columns are as wide as the formatter says, or as an angle needs; a value that is wider still stands apart.
 impl<T: Float, const N: usize, B: Branch> fmt::Display for Solution<T, N, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:<18}", self.branch)?;
-        write_joints(f, self, f.precision().unwrap_or(4))?;
+        let digits = f.precision().unwrap_or(4);
+        let width = f.width().unwrap_or(digits + 6);
+        for value in pose::entries(&self.q) {
+            f.write_str("  ")?;
+            write_joint(f, value, width.saturating_sub(2), digits)?;
+        }
         for (count, family) in self.families().enumerate() {
             write!(f, "{}{family}", if count == 0 { "   " } else { "; " })?;
         }
@@ -187,12 +208,14 @@ impl<T: Float, const N: usize, B: Branch> fmt::Display for Solutions<T, N, B> {
             }
         }
         let digits = f.precision().unwrap_or(4);
+        let lengths = self.iter().flat_map(|s| pose::entries(&s.q)).map(|value| length(value, digits) + 2);
+        let width = lengths.fold(digits + 6, usize::max);
         for (count, (branch, slot)) in self.branches().enumerate() {
             if count > 0 {
                 writeln!(f)?;
             }
             match slot {
-                Slot::Solved(solution) => write!(f, "{solution:.digits$}")?,
+                Slot::Solved(solution) => write!(f, "{solution:width$.digits$}")?,
                 Slot::Merged { with } => write!(f, "{branch:<18}  the same as {with}")?,
                 Slot::Empty(_) => write!(f, "{branch:<18}  none")?,
             }

@@ -52,6 +52,9 @@ pub enum Boundary {
     /// The surface at which two ways of a [general base](crate::ik::general) meet and end. The distance that comes with it is
     /// to a point that is reached, near the nearest: an upper bound.
     Envelope,
+    /// The reach of the arm as a whole: the pose is so far away that the arm is round-off of the distance, and no figure
+    /// was looked at. A slide counts with the travel that its limits allow.
+    Reach,
     /// The cone that an oblique wrist can point into, or must point out of.
     WristCone,
 }

@@ -4,7 +4,7 @@
 use crate::pose::{self, Joints, Pose};
 use crate::sample::{Figures, LAB_ARM, PUMA_560, Random, STANFORD_ARM, Text};
 use crate::{
-    Arm, ArmPosture, Branch, Constraint, EulerZyx, InverseKinematics, JointSet, Limits, Posture, Reason,
+    Arm, ArmPosture, Boundary, Branch, Constraint, EulerZyx, InverseKinematics, JointSet, Limits, Posture, Reason,
     Singularity, Slot, Solutions,
 };
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -237,4 +237,26 @@ fn the_four_slots_of_three_joints_have_their_names() {
     assert_eq!(ArmPosture::ALL.len(), 4);
     let labels = ["right/up", "right/down", "left/up", "left/down"];
     assert!(ArmPosture::ALL.iter().zip(labels).all(|(posture, label)| Text::of(posture).as_str() == label));
+}
+
+#[test]
+fn columns_stand_apart_and_large_numbers_have_exponents() {
+    let mut arm = Figures::<true>::random(&mut Random(12), true);
+    (arm.base, arm.coupled) = ((crate::sample::about_z(0.0), [0.0; 3]), false);
+    let apart = |solutions: &Solutions<f64, 6, Posture>| {
+        let text = Text::of(solutions);
+        let rows = || text.as_str().lines().filter(|line| line.contains("flip") && !line.ends_with("none"));
+        assert!(rows().count() > 0 && rows().all(|row| row.split_whitespace().count() == 7), "{}", text.as_str());
+        let width = rows().map(str::len).max();
+        assert!(rows().all(|row| Some(row.len()) == width), "{}", text.as_str());
+    };
+    for slide in [0.5, 1234.5, 123_456.75, 1.5e12] {
+        apart(&arm.ik(&arm.fk(&pose::column([0.1, 0.2, slide, 0.3, 0.4, 0.5]))));
+    }
+    let far = |by| Text::of(&Reason::OutOfReach { by, towards: Boundary::OuterCircle, theta1: None });
+    assert!(far(1e308).as_str().ends_with(": 1.000e308 beyond the outer circle"));
+    assert!(Text::of(&Reason::Limit { joint: 0, by: 1e300 }).as_str().ends_with(" by 1.000e300"));
+    // No circle bounds a slide.
+    let text = Text::of(&STANFORD_ARM.ik(&EulerZyx { z: 0.0, y: 0.0, x: 0.0 }.at([1e16, 0.0, 0.0])));
+    assert!(text.as_str().starts_with("the coordinates inserted are out of reach: 1.000e16 beyond the reach of the arm"));
 }
