@@ -1,5 +1,22 @@
 //! Arms for the tests of this crate, written as plain products of matrices: they share nothing with generated code.
 
+/// What follows from forward kinematics: the Jacobian by dual numbers, and frames, which no solver asks for.
+macro_rules! by_forward_kinematics {
+    ($n:literal) => {
+        fn frames<T: Real>(&self, q: &Joints<T, $n>) -> [Pose<T>; $n] {
+            [self.fk(q); $n]
+        }
+
+        fn jacobian<T: Real>(&self, q: &Joints<T, $n>) -> $crate::Jacobian<T, $n> {
+            $crate::sample::jacobian(self, q)
+        }
+
+        fn fk_jacobian<T: Real>(&self, q: &Joints<T, $n>) -> (Pose<T>, $crate::Jacobian<T, $n>) {
+            (self.fk(q), self.jacobian(q))
+        }
+    };
+}
+
 mod figures;
 mod table;
 

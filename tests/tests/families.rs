@@ -319,4 +319,50 @@ fn any_base_ppr() {
 #[test]
 fn any_base_ppp() {
     any_base::<7>(12);
+
+/// Wrists that are exactly straight, or folded by exactly the nearest number to half a turn, wherever the base stands:
+/// what comes back isolated is bent by more than the members of a family may miss the pose.
+fn straight_wrists<A: InverseKinematics<6, Branch = Posture>>(arm: &A, random: &mut Sampler) -> usize {
+    let mut families = 0;
+    for pose in 0..1_000 {
+        let mut values = random.angles::<6>();
+        values[4] = if pose % 2 == 0 { 0.0 } else { std::f64::consts::PI };
+        let q = Joints::from(values);
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        for solution in solutions.iter() {
+            let bend = solution.margins.wrist.unwrap_or(1.0);
+            if solution.is_isolated() {
+                assert!(bend > 55.0 * f64::EPSILON, "{values:?}\n{solutions}");
+                continue;
+            }
+            families += 1;
+            assert!(solution.residual <= 16.0 * f64::EPSILON, "{values:?}\n{solutions}");
+        }
+        for member in arm.ik_holding(&pose, &q).iter() {
+            assert!(member.residual <= 64.0 * f64::EPSILON, "{values:?}");
+        }
+        // Bent by more than a family's members may miss the pose, it is never one.
+        let bent = random.between(140.0, 1000.0) * f64::EPSILON;
+        values[4] = if values[4] == 0.0 { bent } else { values[4] - bent };
+        let solutions = arm.ik(&arm.fk(&Joints::from(values)));
+        let own = solutions.nearest(&Joints::from(values)).filter(|own| own.margins.elbow > 0.3);
+        assert!(
+            own.is_none_or(|own| own.is_isolated() || own.margins.shoulder < 0.1 * arm.reach()),
+            "{solutions}"
+        );
+    }
+    families
+}
+
+#[test]
+fn a_straight_wrist_is_a_family_wherever_its_members_reach_the_pose() {
+    let mut random = Sampler::new(5);
+    let families = [
+        straight_wrists(&robots::Puma560, &mut random),
+        straight_wrists(&robots::LabArm, &mut random),
+        straight_wrists(&robots::Kr6R700, &mut random),
+        straight_wrists(&robots::ElbowWrist, &mut random),
+    ];
+    assert!(families.iter().all(|found| *found >= 970), "{families:?} of 1000");
 }

@@ -1,9 +1,9 @@
 //! Arms of random geometry, spelled in the solver's own figures.
 
-use super::{Random, Rotation, Step, about_z, apply, chain, jacobian, lit};
+use super::{Random, Rotation, Step, about_z, apply, chain, lit};
 use crate::ik::{Base, ElbowBase, TelescopeBase, Wrist, spherical_wrist};
 use crate::math::{self, Float, Real};
-use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::pose::{self, Joints, Pose};
 use crate::private::{self, SolveWrist};
 use crate::{
     Arm, InverseKinematics, Joint, JointKind, LengthUnit, Limits, Posture, Solutions, SphericalWrist,
@@ -133,17 +133,7 @@ impl<const SLIDE: bool> Arm<6> for Figures<SLIDE> {
         ])
     }
 
-    fn frames<T: Real>(&self, q: &Joints<T, 6>) -> [Pose<T>; 6] {
-        [self.fk(q); 6]
-    }
-
-    fn jacobian<T: Real>(&self, q: &Joints<T, 6>) -> Jacobian<T, 6> {
-        jacobian(self, q)
-    }
-
-    fn fk_jacobian<T: Real>(&self, q: &Joints<T, 6>) -> (Pose<T>, Jacobian<T, 6>) {
-        (self.fk(q), self.jacobian(q))
-    }
+    by_forward_kinematics!(6);
 }
 
 impl<const SLIDE: bool> SphericalWrist<6> for Figures<SLIDE> {

@@ -1,9 +1,9 @@
 //! Arms of the seeds and the textbook, as their tables print them; the constants of their figures found by hand.
 
-use super::{Step, apply, chain, jacobian};
+use super::{Step, apply, chain};
 use crate::ik::{Base, ElbowBase, TelescopeBase, Wrist, position, spherical_wrist};
 use crate::math::{self, Float, Real};
-use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::pose::{self, Joints, Pose};
 use crate::private::{self, SolvePosition, SolveWrist};
 use crate::{
     Arm, ArmPosture, InverseKinematics, Joint, JointKind, LengthUnit, Limits, PositionInverse, Posture,
@@ -114,17 +114,7 @@ impl<const WHICH: char> Arm<6> for Table<WHICH> {
         )
     }
 
-    fn frames<T: Real>(&self, q: &Joints<T, 6>) -> [Pose<T>; 6] {
-        [self.fk(q); 6]
-    }
-
-    fn jacobian<T: Real>(&self, q: &Joints<T, 6>) -> Jacobian<T, 6> {
-        jacobian(self, q)
-    }
-
-    fn fk_jacobian<T: Real>(&self, q: &Joints<T, 6>) -> (Pose<T>, Jacobian<T, 6>) {
-        (self.fk(q), self.jacobian(q))
-    }
+    by_forward_kinematics!(6);
 }
 
 impl<const WHICH: char> SphericalWrist<6> for Table<WHICH> {
@@ -246,17 +236,7 @@ impl Arm<3> for LabRrr {
         ]))
     }
 
-    fn frames<T: Real>(&self, q: &Joints<T, 3>) -> [Pose<T>; 3] {
-        [self.fk(q); 3]
-    }
-
-    fn jacobian<T: Real>(&self, q: &Joints<T, 3>) -> Jacobian<T, 3> {
-        jacobian(self, q)
-    }
-
-    fn fk_jacobian<T: Real>(&self, q: &Joints<T, 3>) -> (Pose<T>, Jacobian<T, 3>) {
-        (self.fk(q), self.jacobian(q))
-    }
+    by_forward_kinematics!(3);
 }
 
 impl SolvePosition<3> for LabRrr {

@@ -80,6 +80,16 @@ impl ArmPosture {
         Self { shoulder, elbow }
     }
 
+    /// The one of four values, in the order of the slots, that belongs to this branch.
+    fn pick<X>(self, [ru, rd, lu, ld]: [X; 4]) -> X {
+        match (self.shoulder, self.elbow) {
+            (Shoulder::Right, Elbow::Up) => ru,
+            (Shoulder::Right, Elbow::Down) => rd,
+            (Shoulder::Left, Elbow::Up) => lu,
+            (Shoulder::Left, Elbow::Down) => ld,
+        }
+    }
+
     /// With one of the two wrists.
     pub const fn with(self, wrist: Bend) -> Posture {
         Posture { shoulder: self.shoulder, elbow: self.elbow, wrist }
@@ -90,6 +100,15 @@ impl Posture {
     /// Without the wrist.
     pub const fn arm(self) -> ArmPosture {
         ArmPosture { shoulder: self.shoulder, elbow: self.elbow }
+    }
+
+    /// The one of eight values, in the order of the slots, that belongs to this branch.
+    fn pick<X>(self, [run, ruf, rdn, rdf, lun, luf, ldn, ldf]: [X; 8]) -> X {
+        let (noflip, flip) = self.arm().pick([(run, ruf), (rdn, rdf), (lun, luf), (ldn, ldf)]);
+        match self.wrist {
+            Bend::NoFlip => noflip,
+            Bend::Flip => flip,
+        }
     }
 }
 
@@ -112,22 +131,12 @@ impl Branch for ArmPosture {
         })
     }
 
-    fn of<X>(self, [ru, rd, lu, ld]: &[X; 4]) -> &X {
-        match (self.shoulder, self.elbow) {
-            (Shoulder::Right, Elbow::Up) => ru,
-            (Shoulder::Right, Elbow::Down) => rd,
-            (Shoulder::Left, Elbow::Up) => lu,
-            (Shoulder::Left, Elbow::Down) => ld,
-        }
+    fn of<X>(self, slots: &[X; 4]) -> &X {
+        self.pick(slots.each_ref())
     }
 
-    fn of_mut<X>(self, [ru, rd, lu, ld]: &mut [X; 4]) -> &mut X {
-        match (self.shoulder, self.elbow) {
-            (Shoulder::Right, Elbow::Up) => ru,
-            (Shoulder::Right, Elbow::Down) => rd,
-            (Shoulder::Left, Elbow::Up) => lu,
-            (Shoulder::Left, Elbow::Down) => ld,
-        }
+    fn of_mut<X>(self, slots: &mut [X; 4]) -> &mut X {
+        self.pick(slots.each_mut())
     }
 }
 
@@ -155,30 +164,12 @@ impl Branch for Posture {
         })
     }
 
-    fn of<X>(self, [run, ruf, rdn, rdf, lun, luf, ldn, ldf]: &[X; 8]) -> &X {
-        let (noflip, flip) = match (self.shoulder, self.elbow) {
-            (Shoulder::Right, Elbow::Up) => (run, ruf),
-            (Shoulder::Right, Elbow::Down) => (rdn, rdf),
-            (Shoulder::Left, Elbow::Up) => (lun, luf),
-            (Shoulder::Left, Elbow::Down) => (ldn, ldf),
-        };
-        match self.wrist {
-            Bend::NoFlip => noflip,
-            Bend::Flip => flip,
-        }
+    fn of<X>(self, slots: &[X; 8]) -> &X {
+        self.pick(slots.each_ref())
     }
 
-    fn of_mut<X>(self, [run, ruf, rdn, rdf, lun, luf, ldn, ldf]: &mut [X; 8]) -> &mut X {
-        let (noflip, flip) = match (self.shoulder, self.elbow) {
-            (Shoulder::Right, Elbow::Up) => (run, ruf),
-            (Shoulder::Right, Elbow::Down) => (rdn, rdf),
-            (Shoulder::Left, Elbow::Up) => (lun, luf),
-            (Shoulder::Left, Elbow::Down) => (ldn, ldf),
-        };
-        match self.wrist {
-            Bend::NoFlip => noflip,
-            Bend::Flip => flip,
-        }
+    fn of_mut<X>(self, slots: &mut [X; 8]) -> &mut X {
+        self.pick(slots.each_mut())
     }
 }
 

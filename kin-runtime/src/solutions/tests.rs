@@ -4,8 +4,8 @@
 use crate::pose::{self, Joints, Pose};
 use crate::sample::{Figures, LAB_ARM, PUMA_560, Random, STANFORD_ARM, Text};
 use crate::{
-    Arm, ArmPosture, Boundary, Branch, Constraint, EulerZyx, InverseKinematics, JointSet, Limits, Posture, Reason,
-    Singularity, Slot, Solutions,
+    Arm, ArmPosture, Boundary, Branch, Constraint, EulerZyx, InverseKinematics, JointSet, Limits, Posture,
+    Reason, Singularity, Slot, Solutions,
 };
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -246,7 +246,11 @@ fn columns_stand_apart_and_large_numbers_have_exponents() {
     let apart = |solutions: &Solutions<f64, 6, Posture>| {
         let text = Text::of(solutions);
         let rows = || text.as_str().lines().filter(|line| line.contains("flip") && !line.ends_with("none"));
-        assert!(rows().count() > 0 && rows().all(|row| row.split_whitespace().count() == 7), "{}", text.as_str());
+        assert!(
+            rows().count() > 0 && rows().all(|row| row.split_whitespace().count() == 7),
+            "{}",
+            text.as_str()
+        );
         let width = rows().map(str::len).max();
         assert!(rows().all(|row| Some(row.len()) == width), "{}", text.as_str());
     };
@@ -258,5 +262,8 @@ fn columns_stand_apart_and_large_numbers_have_exponents() {
     assert!(Text::of(&Reason::Limit { joint: 0, by: 1e300 }).as_str().ends_with(" by 1.000e300"));
     // No circle bounds a slide.
     let text = Text::of(&STANFORD_ARM.ik(&EulerZyx { z: 0.0, y: 0.0, x: 0.0 }.at([1e16, 0.0, 0.0])));
-    assert!(text.as_str().starts_with("the coordinates inserted are out of reach: 1.000e16 beyond the reach of the arm"));
+    assert!(
+        text.as_str()
+            .starts_with("the coordinates inserted are out of reach: 1.000e16 beyond the reach of the arm")
+    );
 }
