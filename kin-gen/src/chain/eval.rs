@@ -127,6 +127,11 @@ impl Scope<'_> {
 
     fn name(&mut self, name: &str, place: Place, allowed: Allowed<'_>, report: &mut Report) -> Option<Value> {
         if is_joint_variable(name) {
+            // Its binding was refused: which of the two is meant is not known, and not a second mistake.
+            if self.refused(name) {
+                let _ = self.look_up(name, place, report);
+                return None;
+            }
             return joint_variable(name, place, allowed, report);
         }
         let value = self.look_up(name, place, report)?;

@@ -98,6 +98,11 @@ impl<'a> Scope<'a> {
         self.names.iter().position(|n| n.text == text)
     }
 
+    /// Whether the name stands for a joint variable and is bound all the same, which has been reported.
+    pub(super) fn refused(&self, text: &str) -> bool {
+        is_joint_variable(text) && self.find(text).is_some()
+    }
+
     /// What a name amounts to in an expression; `None` if it, or its value, is unknown, which has been reported.
     pub(super) fn look_up(&mut self, text: &str, place: Place, report: &mut Report) -> Option<Value> {
         let Some(index) = self.find(text) else {

@@ -4,6 +4,7 @@ use super::eval::Allowed;
 use super::factors::motion;
 use super::lengths::{Lengths, Slot};
 use super::names::Scope;
+use super::value::Value;
 use super::{AngleUnit, Axis, Element, Form, Joint, JointKind, suspect};
 use crate::decl::{Cell, Column, Content, Expr, Node, Row, Table, is_joint_variable};
 use crate::number::{Ratio, Scalar};
@@ -55,15 +56,24 @@ impl Rows<'_, '_> {
 
     fn row(&mut self, row: &Row, number: usize, report: &mut Report) {
         let cell = |column| cell(self.table, row, column);
+        let has_q = |cell: Option<&Cell>| {
+            let scope = &self.scope;
+            mentions(cell, &|name| is_joint_variable(name) && !scope.refused(name))
+        };
         let (revolute, prismatic) = (has_q(cell(Column::Theta)), has_q(cell(Column::D)));
-        let misplaced = misplaced(self.table, row, report);
+        let misplaced =
+            [Column::Alpha, Column::A].map(|column| (column, cell(column).filter(|c| has_q(Some(c)))));
+        let misplaced = is_misplaced(misplaced, report);
         if revolute && prismatic {
             let place = cell(Column::D).map_or(row.place, |c| c.place);
             let help = "split the row: one row with q in theta, one with q in d";
             report.error_help(place, "q stands in theta and in d, but a row is one joint", help);
         }
         let named = cell(Column::Joint).is_some_and(|c| !matches!(c.content, Content::Empty));
-        let readable = |column| cell(column).is_some_and(|c| !matches!(c.content, Content::Bad));
+        let readable = |column| {
+            let refused = mentions(cell(column), &|name| self.scope.refused(name));
+            cell(column).is_some_and(|c| !matches!(c.content, Content::Bad)) && !refused
+        };
         let joint = if readable(Column::Theta) && readable(Column::D) {
             revolute || prismatic || misplaced
         } else {
@@ -75,7 +85,9 @@ impl Rows<'_, '_> {
         for (column, axis, turn) in order(self.form) {
             let Some(cell) = cell(column) else { continue };
             let joint_column = matches!(column, Column::Theta | Column::D);
-            if (!joint_column && has_q(Some(cell))) || (column == Column::D && revolute && prismatic) {
+            if (!joint_column && mentions(Some(cell), &is_joint_variable))
+                || (column == Column::D && revolute && prismatic)
+            {
                 continue;
             }
             let element = self.element(cell, column, axis, turn, own, report);
@@ -169,7 +181,10 @@ impl Rows<'_, '_> {
     ) -> Option<(Scalar, Scalar)> {
         let low_value = self.limit(low, kind, report);
         let high_value = self.limit(high, kind, report);
-        let (low_value, high_value) = (low_value?, high_value?);
+        let ((low_value, from), (high_value, to)) = (low_value?, high_value?);
+        if kind == JointKind::Revolute {
+            suspect::limits([(&from, low.place), (&to, high.place)], self.scope.angle_unit, report);
+        }
         if low_value > high_value {
             let message = format!("the limits {low} .. {high} are reversed, so that no value is within them");
             let help = match (kind, self.scope.angle_unit) {
@@ -194,16 +209,13 @@ impl Rows<'_, '_> {
         Some((low_value, high_value))
     }
 
-    fn limit(&mut self, expr: &Expr, kind: JointKind, report: &mut Report) -> Option<Scalar> {
+    fn limit(&mut self, expr: &Expr, kind: JointKind, report: &mut Report) -> Option<(Scalar, Value)> {
         let value = self.scope.constant(expr, "a limit", report)?;
         let limit = match kind {
             JointKind::Prismatic => self.scope.as_length(&value),
-            JointKind::Revolute => {
-                suspect::limit(&value, self.scope.angle_unit, expr.place, report);
-                self.scope.as_angle(&value).map(super::measure::radians)
-            }
+            JointKind::Revolute => self.scope.as_angle(&value).map(super::measure::radians),
         };
-        limit.map_err(|fault| fault.report(expr.place, report)).ok()
+        Some((limit.map_err(|fault| fault.report(expr.place, report)).ok()?, value))
     }
 }
 
@@ -222,15 +234,16 @@ fn cell<'a>(table: &Table, row: &'a Row, column: Column) -> Option<&'a Cell> {
     row.cells.get(index)
 }
 
-fn has_q(cell: Option<&Cell>) -> bool {
-    cell.is_some_and(|c| matches!(&c.content, Content::Value(e) if e.mentions(&is_joint_variable)))
+/// Whether a name that satisfies `wanted` occurs in a cell.
+fn mentions(cell: Option<&Cell>, wanted: &dyn Fn(&str) -> bool) -> bool {
+    cell.is_some_and(|c| matches!(&c.content, Content::Value(e) if e.mentions(wanted)))
 }
 
 /// Whether q stands in a column of constants, which is said.
-fn misplaced(table: &Table, row: &Row, report: &mut Report) -> bool {
+fn is_misplaced(cells: [(Column, Option<&Cell>); 2], report: &mut Report) -> bool {
     let mut found = false;
-    for column in [Column::Alpha, Column::A] {
-        let Some(cell) = cell(table, row, column).filter(|c| has_q(Some(c))) else { continue };
+    for (column, cell) in cells {
+        let Some(cell) = cell else { continue };
         found = true;
         let message = format!("q stands in `{}`, which is a constant of the link", column.header());
         let help = "a joint variable belongs in theta (revolute) or in d (prismatic)";

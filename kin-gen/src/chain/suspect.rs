@@ -61,12 +61,14 @@ pub(super) fn angle(value: &Value, angle: Angle, unit: AngleUnit, place: Place, 
     );
 }
 
-/// Warns of a limit that looks as if it were in degrees.
-pub(super) fn limit(value: &Value, unit: AngleUnit, place: Place, report: &mut Report) {
-    if let (AngleUnit::Radian, Constant::Bare(Scalar::Exact(bare))) = (unit, &value.constant) {
-        let float = Real::from_ratio(*bare).to_f64();
-        if bare.is_integer() && float.abs() > LIMIT {
-            turned(float, place, report);
+/// Warns of limits that look as if they were in degrees: of the first that does, because both are one mistake.
+pub(super) fn limits(ends: [(&Value, Place); 2], unit: AngleUnit, report: &mut Report) {
+    for (value, place) in ends {
+        if let (AngleUnit::Radian, Constant::Bare(Scalar::Exact(bare))) = (unit, &value.constant) {
+            let float = Real::from_ratio(*bare).to_f64();
+            if bare.is_integer() && float.abs() > LIMIT {
+                return turned(float, place, report);
+            }
         }
     }
 }
