@@ -337,7 +337,7 @@ struct Arm(modified, m, deg);
 "#,
         r#"
 2:11 error [twist] `twist` is not a column
-    the columns are joint, alpha, a, d, theta and limits
+    did you mean `alpha`? the columns are joint, alpha, a, d, theta and limits
 2:27 error [tehta] `tehta` is not a column
     did you mean `theta`? the columns are joint, alpha, a, d, theta and limits
 2:35 error [a_i] the column `a` occurs twice, as `a` and as `a_i`
@@ -450,8 +450,6 @@ struct Arm(modified, m, rad);
     write `90deg` if degrees are meant, or change the header to `deg`
 5:40 warning [-180] -180 radians are more than a turn
     write `-180deg` if degrees are meant, or change the header to `deg`
-5:48 warning [180] 180 radians are more than a turn
-    write `180deg` if degrees are meant, or change the header to `deg`
 "#,
     );
 }
@@ -564,6 +562,7 @@ let zero = 1 - 1;
 9:22 error [.] a number cannot begin with a point
     write a 0 before it, such as `0.5`
 9:28 error [.] `.` has no meaning here
+    a decimal point stands between digits, such as `0.5`; a range `-90 .. 90` belongs in limits
 "#,
     );
 }
@@ -898,7 +897,7 @@ let e = 1 2 let f = 3
 let g = 1
 "#,
         r#"
-2:1 error [lte] a `;` is missing after the header
+1:28 error [)] a `;` is missing after the header
 2:1 error [lte] `lte` does not begin a statement
     did you mean `let`?
 2:17 error [Tx] a `:` is missing after `tool`
@@ -940,6 +939,113 @@ let b = 3m; "text";
 5:29 error [d] `d` is not bound
     bind it with `let d = …;` or `param d = …;`
 6:1 error [/* not closed] this comment is never closed with `*/`
+"#,
+    );
+}
+
+#[test]
+fn a_joint_variable_that_is_bound() {
+    check(
+        r#"
+struct Arm(modified, m, deg);
+let q1 = 0.4; let theta_2 = 30;
+| joint | alpha   | a  | d  | theta       |
+| J1    | 0       | 0  | 0  | q1          |
+| J2    | 90      | q1 | 0  | q + theta_2 |
+| J3    | theta_2 | 0  | q1 | q           |
+check [0, 0, 0] => (0, 0, 0);
+"#,
+        r#"
+2:5 error [q1] `q1` stands for a joint variable
+    choose another name
+2:19 error [theta_2] `theta_2` stands for a joint variable
+    choose another name
+"#,
+    );
+    check(
+        r#"
+struct Arm(chain, m, deg);
+let q1 = 0.4;
+Rz(q1) Tx(q1) Ry(q) Tx(1);
+check [0, 0] => (1.4, 0, 0);
+"#,
+        r#"
+2:5 error [q1] `q1` stands for a joint variable
+    choose another name
+"#,
+    );
+}
+
+#[test]
+fn the_header_twice() {
+    check(
+        r#"
+struct Arm(modified, m, deg);
+| joint | alpha | a | d | theta | limits |
+|-------|-------|---|---|-------|--------|
+| Joint | alpha | a | d | theta | limits |
+|-------|-------|---|---|-------|--------|
+| J1    | 0     | 0 | 0 | q     |        |
+"#,
+        r#"
+4:1 error [| Joint | alpha | a | d | theta | limits |] the header of the table occurs twice
+    remove this row
+"#,
+    );
+}
+
+#[test]
+fn limits_of_degrees_under_radians_are_one_mistake() {
+    check(
+        r#"
+struct Arm(modified, m, rad);
+| joint | alpha | a | d | theta | limits      |
+| J1    | 0     | 0 | 0 | q     | -170 .. 170 |
+| J2    | 0     | 1 | 0 | q     | -3 .. 170   |
+"#,
+        r#"
+3:35 warning [-170] -170 radians are more than a turn
+    write `-170deg` if degrees are meant, or change the header to `deg`
+4:41 warning [170] 170 radians are more than a turn
+    write `170deg` if degrees are meant, or change the header to `deg`
+"#,
+    );
+}
+
+#[test]
+fn what_is_no_value_has_its_remedy() {
+    check(
+        r#"
+struct Arm(modified, m, deg);
+| joint | alfa | a     | d     | theta |
+| J1    | 0    | 0     | 0     | q     |
+"#,
+        r#"
+2:11 error [alfa] `alfa` is not a column
+    did you mean `alpha`? the columns are joint, alpha, a, d, theta and limits
+"#,
+    );
+    check(
+        r#"
+struct Arm(modified, m, deg);
+| joint | alpha | a     | d    | theta  |
+| J1    | "90"  | 0.1_m | 0.2_ | q      |
+| J2    | 'c'   | 1_0m  | 0.   | q "90" |
+| J3    | 90 .  | 1.    | 0.1  | q      |
+"#,
+        r#"
+3:11 error ["90"] `"90"` is not a value
+    write names and numbers without quotes
+3:19 error [0.1_m] `_m` in `0.1_m` is not a unit
+    the units are m, cm, mm, in, deg and rad; numbers are decimal
+3:27 error [0.2_] `_` in `0.2_` is not a unit
+    the units are m, cm, mm, in, deg and rad; numbers are decimal
+4:11 error ['] `'` is not a value
+    write names and numbers without quotes
+4:36 error ["90"] `"90"` has no meaning here
+    write names and numbers without quotes
+5:14 error [.] `.` has no meaning here
+    a decimal point stands between digits, such as `0.5`; a range `-90 .. 90` belongs in limits
 "#,
     );
 }

@@ -154,8 +154,30 @@ pub(super) fn leftover(before: &Expr, cursor: &Cursor<'_>, report: &mut Report) 
     } else if next.is(")") || next.is("]") || next.is("}") {
         report.error(place, format!("this `{text}` was never opened"));
     } else {
-        report.error(place, format!("`{text}` has no meaning here"));
+        meaningless(cursor, report);
     }
+}
+
+/// Says that the next token has no meaning where it stands, and what may have been meant by it.
+pub(super) fn meaningless(cursor: &Cursor<'_>, report: &mut Report) {
+    let Some(token) = cursor.peek() else { return };
+    let message = format!("`{}` has no meaning here", token.text);
+    if is_quoted(token) {
+        report.error_help(token.at, message, WITHOUT_QUOTES);
+    } else if token.is(".") {
+        let help =
+            "a decimal point stands between digits, such as `0.5`; a range `-90 .. 90` belongs in limits";
+        report.error_help(token.at, message, help);
+    } else {
+        report.error(token.at, message);
+    }
+}
+
+const WITHOUT_QUOTES: &str = "write names and numbers without quotes";
+
+/// A text or a character, or the mark that begins one.
+fn is_quoted(token: &Token) -> bool {
+    token.kind == Kind::Punct && token.text.contains(['"', '\''])
 }
 
 fn is_shown_short(expr: &Expr) -> bool {
@@ -245,6 +267,10 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize, report: &mut Report) -> Option<Ex
             );
             None
         }
+        _ if is_quoted(token) => {
+            report.error_help(place, format!("`{}` is not a value", token.text), WITHOUT_QUOTES);
+            None
+        }
         _ => {
             report.error(place, format!("a value is missing before `{}`", token.text));
             None
@@ -323,16 +349,16 @@ fn number(token: &Token, cursor: &mut Cursor<'_>, report: &mut Report) -> Option
     Some(Expr { node: Node::Number(digits.to_string(), None), place })
 }
 
-/// Splits `1e-3mm` into `1e-3` and `mm`.
+/// Splits `1e-3mm` into `1e-3` and `mm`; an underscore between them belongs to neither digits nor unit, and goes with
+/// the unit, which is then unknown.
 fn split_suffix(text: &str) -> (&str, &str) {
     let bytes = text.as_bytes();
     let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
     let sign = |i: usize| matches!(bytes.get(i), Some(b'+' | b'-'));
-    for (i, byte) in bytes.iter().enumerate() {
+    let letter = bytes.iter().enumerate().position(|(i, byte)| {
         let exponent = matches!(byte, b'e' | b'E') && (digit(i + 1) || (sign(i + 1) && digit(i + 2)));
-        if byte.is_ascii_alphabetic() && !exponent {
-            return text.split_at_checked(i).unwrap_or((text, ""));
-        }
-    }
-    (text, "")
+        byte.is_ascii_alphabetic() && !exponent
+    });
+    let digits = text.get(..letter.unwrap_or(text.len())).unwrap_or(text).trim_end_matches('_');
+    (digits, text.get(digits.len()..).unwrap_or(""))
 }

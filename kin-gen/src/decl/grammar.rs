@@ -96,6 +96,7 @@ fn skip_attributes(cursor: &mut Cursor<'_>, report: &mut Report) {
 /// `(convention, length unit, angle unit);`.
 fn header(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) {
     let name_place = decl.name.place;
+    let mut end = name_place;
     if !cursor.is("(") {
         let message = "the convention and the units are missing after the name";
         report.error_help(name_place, message, SHELL);
@@ -104,10 +105,10 @@ fn header(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) {
             header_word(decl, part, report);
         }
         header_complete(decl, place, report);
+        end = place.last.into();
     }
-    let place = cursor.place();
     if !cursor.eat(";") {
-        report.error(place, "a `;` is missing after the header");
+        report.error(end, "a `;` is missing after the header");
     }
 }
 
@@ -225,11 +226,11 @@ fn one_statement(decl: &mut Decl, cursor: &mut Cursor<'_>, report: &mut Report) 
 /// Says what is wrong with the next token and moves to the next keyword that starts a statement.
 fn resume_inside(body: &mut Cursor<'_>, length: usize, report: &mut Report, complain: bool) {
     if complain {
-        let text = body.peek().map_or("", |t| &t.text);
         if starts_statement(body) {
+            let text = body.peek().map_or("", |t| &t.text);
             return report.error(body.place(), format!("a `;` is missing before `{text}`"));
         }
-        report.error(body.place(), format!("`{text}` has no meaning here"));
+        expr::meaningless(body, report);
     }
     // At least one token must go, or the same statement would be read again.
     if body.len() == length {

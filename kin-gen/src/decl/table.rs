@@ -46,6 +46,10 @@ pub(super) fn table(cursor: &mut Cursor<'_>, report: &mut Report) -> Read {
         if is_dashes(row) {
             continue;
         }
+        if is_header(row) {
+            report.error_help(place_of(row), "the header of the table occurs twice", "remove this row");
+            continue;
+        }
         if table.rows.len() >= MAX_ROWS {
             report.error(place_of(row), format!("the table has more than {MAX_ROWS} rows"));
             whole = false;
@@ -224,6 +228,15 @@ fn is_dashes(row: &[Token]) -> bool {
     row.iter().all(|t| is_bar(t) || t.is("-") || t.is(":")) && row.iter().any(|t| t.is("-"))
 }
 
+/// Whether every cell is the name of a column.
+fn is_header(row: &[Token]) -> bool {
+    cells(row).iter().all(|(inside, _)| column(&text_of(inside)) != Column::Unknown)
+}
+
+fn text_of(tokens: &[Token]) -> String {
+    tokens.iter().map(|t| t.text.as_str()).collect()
+}
+
 /// The cells between bars, each with the place of its tokens or, if empty, of the bar that closes it.
 fn cells(row: &[Token]) -> Vec<(&[Token], Place)> {
     let mut cells = Vec::new();
@@ -241,7 +254,7 @@ fn cells(row: &[Token]) -> Vec<(&[Token], Place)> {
 fn columns(header: &[Token], report: &mut Report) -> Vec<(Column, String)> {
     let mut columns: Vec<(Column, String)> = Vec::new();
     for (inside, place) in cells(header) {
-        let text: String = inside.iter().map(|t| t.text.as_str()).collect();
+        let text = text_of(inside);
         let column = column(&text);
         if text.is_empty() {
             report.error_help(place, "a cell of the header is empty", COLUMNS);
@@ -279,7 +292,12 @@ fn column(text: &str) -> Column {
 }
 
 fn unknown_column(text: &str, place: Place, report: &mut Report) {
-    let help = match nearest(text, ["joint", "alpha", "theta", "limits", "frame", "link", "name"]) {
+    let meant = match text.to_lowercase().as_str() {
+        "alfa" | "twist" => Some("alpha"),
+        "range" => Some("limits"),
+        other => nearest(other, ["joint", "alpha", "theta", "limits", "frame", "link", "name"]),
+    };
+    let help = match meant {
         Some(near) => format!("did you mean `{near}`? {COLUMNS}"),
         None => COLUMNS.to_string(),
     };
