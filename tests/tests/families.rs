@@ -319,6 +319,7 @@ fn any_base_ppr() {
 #[test]
 fn any_base_ppp() {
     any_base::<7>(12);
+}
 
 /// Wrists that are exactly straight, or folded by exactly the nearest number to half a turn, wherever the base stands:
 /// what comes back isolated is bent by more than the members of a family may miss the pose.
