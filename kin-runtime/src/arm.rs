@@ -1,10 +1,12 @@
 //! The arm: what every declared robot can do, and what only some can.
 
+use crate::choice;
 use crate::ik::Wrist;
 use crate::limits::Limits;
 use crate::math::{Float, Real};
 use crate::pose::{Jacobian, Joints, Pose};
-use crate::solutions::{Branch, Solutions};
+use crate::solutions::{Branch, Reason, Solutions, Winding};
+use crate::track::Track;
 use core::fmt;
 use nalgebra::{Matrix3, Point3};
 
@@ -137,6 +139,47 @@ pub trait InverseKinematics<const N: usize>: Arm<N> {
 
     /// As [`ik`](InverseKinematics::ik), but a coordinate that the pose leaves free keeps its value in `hold`.
     fn ik_holding<T: Float>(&self, pose: &Pose<T>, hold: &Joints<T, N>) -> Solutions<T, N, Self::Branch>;
+
+    /// The joint values nearest to `q` that bring the tool to `pose`: see
+    /// [`ik_near_within`](InverseKinematics::ik_near_within), without limits.
+    ///
+    /// # Errors
+    /// Why there are none.
+    fn ik_near<T: Float>(
+        &self,
+        pose: &Pose<T>,
+        q: &Joints<T, N>,
+    ) -> Result<Winding<T, N, Self::Branch>, Reason<T>> {
+        self.ik_near_within(pose, q, &Limits::NONE)
+    }
+
+    /// The joint values within the limits nearest to `q` that bring the tool to `pose`: of all solutions, each wound as
+    /// near to `q` as the limits let it, the one with the smallest largest joint move, among equals the one with the
+    /// smallest sum of moves; moves of a slide are divided by the arm's reach. A coordinate that a singular pose leaves
+    /// free keeps its value in `q`, or takes the nearest value that the limits allow (to the resolution of
+    /// [`Family::ranges`](crate::Family::ranges)).
+    ///
+    /// # Errors
+    /// Why there are none: the least passed limit if it is for the limits, else the least missing distance, else what is
+    /// wrong with the pose; [`Reason::NotFinite`] also for `q`.
+    fn ik_near_within<T: Float>(
+        &self,
+        pose: &Pose<T>,
+        q: &Joints<T, N>,
+        limits: &Limits<N>,
+    ) -> Result<Winding<T, N, Self::Branch>, Reason<T>> {
+        choice::nearest(&|hold: &_| self.ik_holding(pose, hold), &Self::JOINTS, self.reach(), q, limits)
+    }
+
+    /// Follows a path of poses from the joint values `start`, one step for each pose: see [`Track`].
+    fn track<T: Float, I>(&self, start: &Joints<T, N>, path: I) -> Track<'_, Self, T, N, I::IntoIter>
+    where
+        Self: Sized,
+        I: IntoIterator<Item = Pose<T>>,
+        I::IntoIter: Clone,
+    {
+        Track::new(self, start, path.into_iter())
+    }
 }
 
 /// An arm whose joint values follow from the position of its tool point alone, all solutions of it.
@@ -159,4 +202,29 @@ pub trait PositionInverse<const N: usize>: Arm<N> {
         p: &Point3<T>,
         hold: &Joints<T, N>,
     ) -> Solutions<T, N, Self::Branch>;
+
+    /// As [`InverseKinematics::ik_near`], from a position.
+    ///
+    /// # Errors
+    /// Why there are no joint values.
+    fn ik_position_near<T: Float>(
+        &self,
+        p: &Point3<T>,
+        q: &Joints<T, N>,
+    ) -> Result<Winding<T, N, Self::Branch>, Reason<T>> {
+        self.ik_position_near_within(p, q, &Limits::NONE)
+    }
+
+    /// As [`InverseKinematics::ik_near_within`], from a position.
+    ///
+    /// # Errors
+    /// Why there are no joint values.
+    fn ik_position_near_within<T: Float>(
+        &self,
+        p: &Point3<T>,
+        q: &Joints<T, N>,
+        limits: &Limits<N>,
+    ) -> Result<Winding<T, N, Self::Branch>, Reason<T>> {
+        choice::nearest(&|hold: &_| self.ik_position_holding(p, hold), &Self::JOINTS, self.reach(), q, limits)
+    }
 }

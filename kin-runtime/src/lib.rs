@@ -42,6 +42,11 @@
 //! let nearest = solutions.nearest(&q).expect("the pose is one of the arm's");
 //! assert!((nearest.q - q).amax() < 1e-14);
 //!
+//! // The solution nearest to where the arm is, wound as its joints are.
+//! let turned = q + joints![0.0, 0.0, 0.0, 0.0, 0.0, std::f64::consts::TAU];
+//! let near = LabArm.ik_near(&pose, &turned).expect("the pose is one of the arm's");
+//! assert!((near.q - turned).amax() < 1e-14);
+//!
 //! // Limits are not applied until asked for; a slot that they empty says which joint and by how much.
 //! for (branch, slot) in solutions.within(&LabArm.limits()).branches() {
 //!     if let Slot::Empty(Reason::Limit { joint: 0, by }) = slot {
@@ -115,13 +120,14 @@
 //! # The modules
 //!
 //! [`arm`] the traits · [`pose`] poses, joint vectors, Euler angles · [`geometry`] the figures that solutions are spelled
-//! with · [`ik`] the solvers, one page each · [`solutions`] what they give back · [`limits`] · [`singularity`] ·
-//! [`dynamic`] arms behind references · [`math`] numbers.
+//! with · [`ik`] the solvers, one page each · [`solutions`] what they give back · [`limits`] · [`track`] paths of poses ·
+//! [`singularity`] · [`dynamic`] arms behind references · [`math`] numbers.
 //!
 //! The feature `serde` makes poses, joint vectors, solutions, reasons, postures and limits storable.
 #![no_std]
 
 pub mod arm;
+mod choice;
 pub mod dynamic;
 pub mod geometry;
 pub mod ik;
@@ -134,6 +140,7 @@ pub mod private;
 mod sample;
 pub mod singularity;
 pub mod solutions;
+pub mod track;
 
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
 pub use dh_macro::dh;
@@ -145,16 +152,17 @@ pub use nalgebra::{Matrix3, Point3};
 pub use pose::{Euler, EulerZyx, GimbalLock, Jacobian, Joints, Pose};
 pub use singularity::{Dexterity, dexterity, position_dexterity};
 pub use solutions::{
-    ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, JointSet, Margins, Posture, Reason,
-    Shoulder, Singularity, Slot, Solution, Solutions,
+    ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, JointSet, Margins, Posture, Ranges,
+    Reason, Shoulder, Singularity, Slot, Solution, Solutions, Winding, Windings,
 };
+pub use track::{Cause, Step, Track};
 
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {
     pub use crate::{
         Arm, ArmPosture, Bend, Branch, Elbow, Euler, EulerZyx, Family, Float, InverseKinematics, Jacobian,
         Joints, Limits, Pose, PositionInverse, Posture, Real, Reason, Shoulder, Slot, Solution, Solutions,
-        SphericalWrist, dh, joints,
+        SphericalWrist, Step, Winding, dh, joints,
     };
     // Once more without their names: an arm that is itself called `Arm` hides the name, not the methods.
     pub use crate::{Arm as _, InverseKinematics as _, PositionInverse as _, SphericalWrist as _};

@@ -1,12 +1,17 @@
-//! Joint limits: whether a value keeps them, and if not by how much it passes them.
+//! Joint limits: whether a value keeps them, which of its turns do, and if none by how much it passes them.
 
 use crate::arm::JointKind;
 use crate::math::{self, Float};
 
+/// The most turns by which an angle is wound in either direction. Each turn costs the rounding of 2π, so that an angle
+/// of a thousand turns has lost ten bits.
+pub const TURNS: f64 = 1024.0;
+
 /// The inclusive range of each joint: radians or the declared unit of length; `None` where the table gives none.
 ///
-/// The range of a revolute joint may reach beyond ±π (`170 .. 190` degrees): a value is inside if some whole number of
-/// turns brings it there.
+/// The range of a revolute joint may reach beyond ±π (`170 .. 190` degrees) and be longer than a turn: a value is inside
+/// if some whole number of turns, [`TURNS`] at most, brings it there. An end may be infinite. A range with an end that is
+/// not a number holds nothing, nor does a reversed one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Limits<const N: usize> {
     ranges: [Option<(f64, f64)>; N],
@@ -17,8 +22,15 @@ pub struct Limits<const N: usize> {
 pub enum Standing<T> {
     /// Inside, or without a range.
     Within,
-    /// Outside: the distance to the nearer end.
+    /// Outside: the distance to the nearer end, positive; infinite for what is not a number.
     Passed(T),
+}
+
+/// Whole numbers of turns, from the first to the last; none if the first is larger.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Turns<T> {
+    pub(crate) first: T,
+    pub(crate) last: T,
 }
 
 impl<const N: usize> Limits<N> {
@@ -47,12 +59,105 @@ impl<const N: usize> Limits<N> {
             Some((low, high)) => stands(T::lit(low), T::lit(high), kind, value),
         }
     }
+
+    /// The values that are `value` but for whole turns and lie in the range of a joint, rising. A joint that is not
+    /// bounded on both sides has infinitely many: then one stands for all, the least turned.
+    pub fn representatives<T: Float>(
+        &self,
+        joint: usize,
+        kind: JointKind,
+        value: T,
+    ) -> impl Iterator<Item = T> + use<T, N> {
+        let (value, turns) = (principal(kind, value), self.counted(joint, kind, value));
+        let mut next = turns.first;
+        core::iter::from_fn(move || {
+            let now = next;
+            next += T::lit(1.0);
+            (now <= turns.last).then(|| wound(value, now))
+        })
+    }
+
+    /// The value that is `value` but for whole turns, lies in the range of a joint, and is nearest to `to`.
+    pub fn nearest<T: Float>(&self, joint: usize, kind: JointKind, value: T, to: T) -> Option<T> {
+        let (turns, value) = (self.allowed(joint, kind, value), principal(kind, value));
+        let wished = match kind {
+            JointKind::Prismatic => T::lit(0.0),
+            JointKind::Revolute => Float::floor((to - value) / T::TURN.0 + T::lit(0.5)),
+        };
+        let wished = if math::is_nan(wished) { T::lit(0.0) } else { wished };
+        (turns.first <= turns.last)
+            .then(|| wound(value, math::max(turns.first, math::min(wished, turns.last))))
+    }
+
+    /// All turns that bring a value into the range of a joint.
+    fn allowed<T: Float>(&self, joint: usize, kind: JointKind, value: T) -> Turns<T> {
+        let (low, high) = self.range(joint).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        turns(T::lit(low), T::lit(high), kind, value)
+    }
+
+    /// The same, but one turn for all of a joint that is not bounded on both sides.
+    pub(crate) fn counted<T: Float>(&self, joint: usize, kind: JointKind, value: T) -> Turns<T> {
+        let all = self.allowed(joint, kind, value);
+        let bounded = |(low, high): (f64, f64)| low.is_finite() && high.is_finite();
+        if self.range(joint).is_some_and(bounded) || all.first > all.last {
+            return all;
+        }
+        let least = math::max(all.first, math::min(T::lit(0.0), all.last));
+        Turns { first: least, last: least }
+    }
+}
+
+/// A value as it is wound from: an angle in (-π, π].
+pub(crate) fn principal<T: Float>(kind: JointKind, value: T) -> T {
+    match kind {
+        JointKind::Prismatic => value,
+        JointKind::Revolute => math::wrap(value),
+    }
+}
+
+/// An angle with whole turns added.
+pub(crate) fn wound<T: Float>(value: T, turns: T) -> T {
+    (value + turns * T::TURN.0) + turns * T::TURN.1
+}
+
+/// The turns that bring a value into a range.
+fn turns<T: Float>(low: T, high: T, kind: JointKind, value: T) -> Turns<T> {
+    let (zero, one, most) = (T::lit(0.0), T::lit(1.0), T::lit(TURNS));
+    let none = Turns { first: one, last: zero };
+    let value = principal(kind, value);
+    if math::is_nan(low) || math::is_nan(high) || !math::is_finite(value) {
+        return none;
+    }
+    let (low, high) = (low - slack(low, high), high + slack(low, high));
+    match kind {
+        JointKind::Prismatic if low <= value && value <= high => Turns { first: zero, last: zero },
+        JointKind::Prismatic => none,
+        JointKind::Revolute => {
+            // Quotients may be off by one at an end; the angles themselves decide.
+            let clamped = |turns: T| math::max(-most, math::min(turns, most));
+            let mut first = clamped(Float::floor((low - value) / T::TURN.0));
+            let mut last = clamped(Float::floor((high - value) / T::TURN.0) + one);
+            for _ in 0..2 {
+                first += if wound(value, first) < low { one } else { zero };
+                last -= if wound(value, last) > high { one } else { zero };
+            }
+            if wound(value, first) < low || wound(value, last) > high { none } else { Turns { first, last } }
+        }
+    }
+}
+
+/// The end of a range and a solution that lies exactly on it were rounded apart by this much: one of -π and π, say.
+fn slack<T: Float>(low: T, high: T) -> T {
+    let size = |end: T| if math::is_finite(end) { math::abs(end) } else { T::lit(0.0) };
+    T::lit(8.0) * T::EPS * (T::lit(1.0) + math::max(size(low), size(high)))
 }
 
 /// How a value stands to one range.
 fn stands<T: Float>(low: T, high: T, kind: JointKind, value: T) -> Standing<T> {
-    // The end of a range and a solution that lies exactly on it were rounded apart: one of -π and π, say.
-    let slack = T::lit(8.0) * T::EPS * (T::lit(1.0) + math::max(math::abs(low), math::abs(high)));
+    let inside = turns(low, high, kind, value);
+    if inside.first <= inside.last {
+        return Standing::Within;
+    }
     let passed = match kind {
         JointKind::Prismatic => math::max(low - value, value - high),
         JointKind::Revolute => {
@@ -61,7 +166,8 @@ fn stands<T: Float>(low: T, high: T, kind: JointKind, value: T) -> Standing<T> {
             math::abs(math::wrap(value - middle)) - (high - low) * T::lit(0.5)
         }
     };
-    if passed <= slack { Standing::Within } else { Standing::Passed(passed) }
+    let infinite = math::is_nan(passed) || !math::is_finite(value);
+    Standing::Passed(if infinite { T::lit(f64::INFINITY) } else { math::max(passed, slack(low, high)) })
 }
 
 #[cfg(feature = "serde")]

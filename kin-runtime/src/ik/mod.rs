@@ -28,6 +28,7 @@ pub mod general;
 pub mod position;
 pub mod quartic;
 mod sheaf;
+pub(crate) mod settle;
 pub mod spherical_wrist;
 pub mod target;
 pub mod wrist;
@@ -60,7 +61,7 @@ pub const DOUBTFUL: f64 = 64.0;
 pub const ACCEPTED: f64 = 64.0;
 
 /// A joint vector to give out: angles in (-π, π], lengths as they are.
-fn given_out<T: Float, const N: usize>(mut q: [T; N], joints: &[Joint; N]) -> Joints<T, N> {
+pub(crate) fn given_out<T: Float, const N: usize>(mut q: [T; N], joints: &[Joint; N]) -> Joints<T, N> {
     for (value, joint) in q.iter_mut().zip(joints) {
         if joint.kind == JointKind::Revolute {
             *value = math::wrap(*value);
@@ -75,7 +76,7 @@ fn finite<T: Float, const N: usize>(hold: [T; N]) -> [Option<T>; N] {
 }
 
 /// The joints whose values are lengths.
-fn sliding<const N: usize>(joints: &[Joint; N]) -> JointSet {
+pub(crate) fn sliding<const N: usize>(joints: &[Joint; N]) -> JointSet {
     let slides = joints.iter().enumerate().filter(|(_, joint)| joint.kind == JointKind::Prismatic);
     slides.fold(JointSet::EMPTY, |set, (joint, _)| set.with(joint))
 }

@@ -120,7 +120,7 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
     }
 
     /// The direction of a straight family; zero for the others.
-    fn line(&self) -> SVector<i8, N> {
+    pub(super) fn line(&self) -> SVector<i8, N> {
         self.solution.free.wrist.unwrap_or_else(|| pose::column([0_i8; N]))
     }
 
@@ -143,7 +143,7 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
     }
 
     /// The joint vector to hold on to so that the free joint takes a value.
-    fn hold(&self, value: T) -> Joints<T, N> {
+    pub(crate) fn hold(&self, value: T) -> Joints<T, N> {
         let chosen = self.free();
         let mut q = pose::entries(&self.solution.q);
         let Some(step) = q.get(chosen).map(|now| value - *now) else { return self.solution.q };
@@ -165,7 +165,7 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
     where
         A: InverseKinematics<N, Branch = B>,
     {
-        resolved(&arm.ik_holding(pose, &self.hold(value)), self.solution.branch)
+        self.resolved(&arm.ik_holding(pose, &self.hold(value)))
     }
 
     /// The member whose free joint has the given value, for an arm that is solved from a position.
@@ -173,14 +173,14 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
     where
         A: PositionInverse<N, Branch = B>,
     {
-        resolved(&arm.ik_position_holding(point, &self.hold(value)), self.solution.branch)
+        self.resolved(&arm.ik_position_holding(point, &self.hold(value)))
     }
-}
 
-/// What became of a branch, a merger followed to the slot that holds the solution.
-fn resolved<T: Float, const N: usize, B: Branch>(solutions: &Solutions<T, N, B>, branch: B) -> Slot<T, N, B> {
-    match *solutions.get(branch) {
-        Slot::Merged { with } => *solutions.get(with),
-        slot => slot,
+    /// What became of the family's branch, a merger followed to the slot that holds the solution.
+    pub(crate) fn resolved(&self, solutions: &Solutions<T, N, B>) -> Slot<T, N, B> {
+        match *solutions.get(self.solution.branch) {
+            Slot::Merged { with } => *solutions.get(with),
+            slot => slot,
+        }
     }
 }

@@ -6,19 +6,24 @@
 mod branch;
 mod display;
 mod family;
+mod members;
+mod ranges;
 mod reason;
 #[cfg(feature = "serde")]
 mod stored;
 #[cfg(test)]
 mod tests;
+mod windings;
 
 pub use branch::{ArmPosture, Bend, Branch, Elbow, Posture, Shoulder};
 pub(crate) use family::Free;
 pub use family::{Constraint, Family, Singularity};
+pub use ranges::Ranges;
 pub use reason::{Boundary, Reason};
+pub use windings::{Winding, Windings};
 
 use crate::arm::JointKind;
-use crate::limits::{Limits, Standing};
+use crate::limits::Limits;
 use crate::math::{self, Float};
 use crate::pose::{self, Joints};
 use core::{fmt, iter, slice};
@@ -190,7 +195,8 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 
     /// The same solutions, those outside the limits replaced by the joint that passes its range most and by how much.
-    /// A family is judged by the member it holds.
+    /// An angle is inside if it is with some whole number of turns; the solutions keep their own in (-π, π]. A family
+    /// is judged by the member it holds; [`Family::ranges`] tells which of the others keep the limits.
     #[must_use]
     pub fn within(&self, limits: &Limits<N>) -> Self {
         let mut kept = self.clone();
@@ -211,20 +217,7 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         kept
     }
 
-    /// The joint that passes its range most, if any does.
-    fn passed(&self, limits: &Limits<N>, q: &Joints<T, N>) -> Option<Reason<T>> {
-        let mut worst: Option<(usize, T)> = None;
-        for (joint, value) in pose::entries(q).into_iter().enumerate() {
-            if let Standing::Passed(by) = limits.standing(joint, self.kind(joint), value)
-                && worst.is_none_or(|(_, most)| by > most)
-            {
-                worst = Some((joint, by));
-            }
-        }
-        worst.map(|(joint, by)| Reason::Limit { joint, by })
-    }
-
-    fn kind(&self, joint: usize) -> JointKind {
+    pub(crate) fn kind(&self, joint: usize) -> JointKind {
         if self.sliding.contains(joint) { JointKind::Prismatic } else { JointKind::Revolute }
     }
 
@@ -242,15 +235,9 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         }
     }
 
-    /// How far the joints move from one vector to another.
+    /// How far the joints move from one vector to another, angles the short way round.
     fn step(&self, from: &Joints<T, N>, to: &Joints<T, N>) -> Move<T> {
-        let mut step = Move { largest: T::lit(0.0), sum: T::lit(0.0) };
-        for (joint, (a, b)) in pose::entries(from).into_iter().zip(pose::entries(to)).enumerate() {
-            let way = math::abs(self.difference(joint, a, b));
-            step.largest = math::max(step.largest, way);
-            step.sum += way;
-        }
-        step
+        Move::between(from, to, |joint, way| self.difference(joint, way, T::lit(0.0)))
     }
 
     /// Empties each slot whose joints are those of an earlier one, and says so.
@@ -290,13 +277,13 @@ fn tolerance<T: Float>() -> T {
 
 /// How far the joints move, the largest first.
 #[derive(Clone, Copy, Debug)]
-struct Move<T> {
-    largest: T,
-    sum: T,
+pub(crate) struct Move<T> {
+    pub(crate) largest: T,
+    pub(crate) sum: T,
 }
 
 impl<T: Float> Move<T> {
-    fn is_smaller_than(&self, other: &Self) -> bool {
+    pub(crate) fn is_smaller_than(&self, other: &Self) -> bool {
         self.largest < other.largest || (self.largest == other.largest && self.sum < other.sum)
     }
 }

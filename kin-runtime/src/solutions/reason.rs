@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Reason<T> {
-    /// An entry of the pose is infinite or not a number.
+    /// An entry of the pose, or of the joint values to be near, is infinite or not a number.
     NotFinite,
     /// The arm's own numbers, which its parameters may have made so: one is not finite, or the lengths come to nothing,
     /// or to so much that their squares would overflow.

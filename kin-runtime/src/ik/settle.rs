@@ -1,0 +1,137 @@
+//! Joint values led onto a pose by small steps, from values that nearly reach it: for a path where figures collapse.
+//!
+//! Where two singular sets are near each other, the rounding of one figure is magnified by the next: a straight wrist
+//! beside a stretched elbow comes out bent by more than round-off, and its outer angles are then those of the rounding.
+//! The joint values that a path was at are a better guide there than the figures.
+//!
+//! Each step is the damped least-squares solution of J·δ = error, K. Levenberg's with the square of the error for the
+//! damping (N. Yamashita and M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method", 2001: fast at
+//! singular solutions too), by conjugate gradients, which leave alone what J does not see.
+
+use crate::arm::Arm;
+use crate::ik::given_out;
+use crate::ik::target::{Target, accepted};
+use crate::math::{self, Float};
+use crate::pose::{self, Joints, Pose};
+use crate::singularity::scaled;
+
+/// Steps at most. Where branches touch, each step halves the way.
+const STEPS: usize = 40;
+
+/// Directions of one step: as many as a Jacobian has rows, and two to make up for rounding.
+const DIRECTIONS: usize = 8;
+
+/// Joint values near `q` that reach the pose as exactly as a solution does, and how far they miss it. They keep the
+/// turns of `q`.
+pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
+    arm: &A,
+    pose: &Pose<T>,
+    q: &Joints<T, N>,
+) -> Option<(Joints<T, N>, T)> {
+    let reach = T::lit(arm.reach());
+    let target = Target::new(pose, reach).ok()?;
+    let mut q = pose::entries(q);
+    for _ in 0..STEPS {
+        let (at, jacobian) = arm.fk_jacobian(&pose::column(q));
+        // What is checked is what would be given out.
+        let wrapped = given_out(q, &A::JOINTS);
+        if let Ok(residual) = accepted(target.missed_by(&arm.fk(&wrapped))) {
+            return Some((pose::column(q), residual));
+        }
+        let step = least_squares(&scaled(&jacobian, reach).data.0, error(&target.pose, &at, reach));
+        for (value, by) in q.iter_mut().zip(step) {
+            *value += by;
+        }
+    }
+    None
+}
+
+/// How the tool must move, as the rows of the Jacobian count: a length in parts of the reach, then a turn.
+fn error<T: Float>(to: &Pose<T>, from: &Pose<T>, reach: T) -> [T; 6] {
+    let ((r, [x, y, z]), (s, [a, b, c])) = (pose::rows(from), pose::rows(to));
+    let half = T::lit(0.5);
+    let mut turn = [T::lit(0.0); 3];
+    for ([u, v, w], [k, l, m]) in pose::transposed(&r).into_iter().zip(pose::transposed(&s)) {
+        let [i, j, n] = turn;
+        turn = [i + half * (v * m - w * l), j + half * (w * k - u * m), n + half * (u * l - v * k)];
+    }
+    let [i, j, n] = turn;
+    [(a - x) / reach, (b - y) / reach, (c - z) / reach, i, j, n]
+}
+
+/// The damped least-squares solution for a matrix given by columns, by conjugate gradients.
+fn least_squares<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6]) -> [T; N] {
+    let zero = T::lit(0.0);
+    let damping = product(&error, &error);
+    let (mut x, mut rest) = ([zero; N], error);
+    let mut slope = columns.map(|column| product(&column, &rest));
+    let mut direction = slope;
+    let mut steepness = product(&slope, &slope);
+    for _ in 0..DIRECTIONS {
+        let mut image = [zero; 6];
+        for (column, by) in columns.iter().zip(direction) {
+            for (sum, entry) in image.iter_mut().zip(column) {
+                *sum += *entry * by;
+            }
+        }
+        let size = product(&image, &image) + damping * product(&direction, &direction);
+        if size <= zero || math::is_nan(size) {
+            break;
+        }
+        let along = steepness / size;
+        add(&mut x, &direction, along);
+        add(&mut rest, &image, -along);
+        slope = columns.map(|column| product(&column, &rest));
+        add(&mut slope, &x, -damping);
+        let now = product(&slope, &slope);
+        let turn = now / steepness;
+        if math::is_nan(turn) {
+            break;
+        }
+        for (old, new) in direction.iter_mut().zip(slope) {
+            *old = new + turn * *old;
+        }
+        steepness = now;
+    }
+    x
+}
+
+fn product<T: Float, const M: usize>(a: &[T; M], b: &[T; M]) -> T {
+    a.iter().zip(b).fold(T::lit(0.0), |sum, (x, y)| sum + *x * *y)
+}
+
+fn add<T: Float, const M: usize>(to: &mut [T; M], what: &[T; M], times: T) {
+    for (x, y) in to.iter_mut().zip(what) {
+        *x += times * *y;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{PUMA_560, Random};
+
+    #[test]
+    fn joints_settle_on_regular_and_singular_poses_and_stay_near() {
+        let mut random = Random(31);
+        for round in 0..500 {
+            let mut q = [(); 6].map(|()| random.angle());
+            if round % 2 == 0 {
+                q[4] = 0.0;
+            }
+            let pose = PUMA_560.fk(&pose::column(q));
+            let near = pose::column(q.map(|x| x + random.within(-1e-3, 1e-3)));
+            let (found, residual) = settle(&PUMA_560, &pose, &near).unwrap();
+            assert!(residual <= 64.0 * f64::EPSILON && (found - near).amax() < 0.3, "{q:?} {found}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_reached_is_not_settled_on() {
+        let q = pose::column([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]);
+        let (r, _) = pose::rows(&PUMA_560.fk(&q));
+        assert!(settle(&PUMA_560, &pose::from_rows(r, [5.0, 0.0, 0.0]), &q).is_none());
+        let nowhere = pose::column([f64::NAN; 6]);
+        assert!(settle(&PUMA_560, &PUMA_560.fk(&q), &nowhere).is_none());
+    }
+}

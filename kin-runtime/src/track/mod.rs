@@ -1,0 +1,322 @@
+//! Paths of poses followed in joint values, without a flip where one can be avoided, through singular poses too.
+//!
+//! # What a continuous step is
+//!
+//! From one pose to the next no joint moves by more than the *leap* (45°; a slide by that part of the arm's reach), and
+//! halfway along the straight joint move the tool is no farther from halfway between the poses than these are apart, or
+//! than 1e-4 of the reach if that is more. A step that is not continuous is a [`Step::Flip`], and says why.
+//!
+//! # What is guaranteed
+//!
+//! A flip is reported only where no solution, of any branch, winding or family and within the limits, continues the
+//! joints as they stand; it is never hidden in a continuous step. Where branches meet (a stretched elbow, a straight
+//! wrist, the wrist centre crossing axis 1) or lie close, several solutions continue: the one nearest to where the joints
+//! were heading is followed over the poses *ahead* (32), in steps of the same kind; if it ends there, so are the others,
+//! and the one that goes farthest is taken. In the same way the end of a flip that cannot be avoided is chosen. Within a
+//! family the free coordinates keep their values until the exit is in sight, and are then led to it in equal steps, so
+//! that a wrist leaves its singularity without a jump if the exit is within the poses ahead. Where rounding has lost the
+//! joints, they settle on the pose from where they were heading, to the same residual as any solution. What is not
+//! guaranteed: a choice whose consequence lies farther ahead, or at a second meeting of branches, is made by heading
+//! alone; where two branches both continue, the path alone cannot tell which of them it came from; and at a pose that is
+//! on two singular sets at once a continuous choice may be missed.
+//!
+//! Each step costs one solution of the pose; near meetings of branches about three; in a family, or where what is followed
+//! ends among the poses ahead, up to the number of poses ahead times the number of branches. Nothing is allocated: the
+//! poses ahead are read from a clone of the iterator.
+//!
+//! ```
+//! use kin_runtime::prelude::*;
+//!
+//! fn follow<const N: usize, A: InverseKinematics<N>>(arm: &A, start: &Joints<f64, N>, path: &[Pose<f64>]) -> bool {
+//!     let mut track = arm.track(start, path.iter().copied()).within(&arm.limits());
+//!     track.all(|step| matches!(step, Step::Continuous(_)))
+//! }
+//! ```
+
+mod strand;
+
+use crate::arm::InverseKinematics;
+use crate::choice::{Metric, Offers, refusal};
+use crate::limits::Limits;
+use crate::math::{self, Float};
+use crate::pose::{self, Joints, Pose};
+use crate::solutions::{Reason, Winding};
+use core::fmt;
+use strand::{Choice, Seat, combined};
+
+/// How far the tool may be off the way between two poses that coincide, in parts of the reach.
+const ASIDE: f64 = 1e-4;
+
+/// What became of one pose of a path.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: nalgebra::Scalar + serde::Serialize, B: serde::Serialize",
+        deserialize = "T: nalgebra::Scalar + serde::Deserialize<'de>, B: serde::Deserialize<'de>"
+    ))
+)]
+pub enum Step<T, const N: usize, B> {
+    /// The joints go on without a jump.
+    Continuous(Winding<T, N, B>),
+    /// They cannot: the pose is reached, but not from where they stand.
+    Flip {
+        /// The joint values before it.
+        from: Joints<T, N>,
+        /// The joint values that reach the pose.
+        to: Winding<T, N, B>,
+        /// The joint that moves most, counted from 0.
+        joint: usize,
+        /// By how much it moves: radians or the declared unit of length.
+        jump: T,
+        /// Why there is no other way.
+        cause: Cause<T>,
+    },
+    /// The pose cannot be reached; the joints stay, and the next pose is judged from where they are.
+    Blocked(Reason<T>),
+}
+
+/// Why a flip cannot be avoided.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Cause<T> {
+    /// The solution that was followed ends here: out of reach, or beyond the limit of a joint.
+    Ended(Reason<T>),
+    /// It goes on, but farther off than one step may go: the path passes a singular pose closely, or its poses are too
+    /// far apart.
+    Steep,
+}
+
+/// A path of poses being followed: an iterator over its [`Step`]s. The [module](self) says what is guaranteed.
+#[derive(Clone, Debug)]
+pub struct Track<'a, A: InverseKinematics<N>, T: Float, const N: usize, I> {
+    arm: &'a A,
+    path: I,
+    limits: Limits<N>,
+    metric: Metric<T>,
+    leap: T,
+    ahead: usize,
+    seat: Seat<T, N>,
+    /// The branch of the last solution.
+    branch: Option<A::Branch>,
+    /// How many of the next poses are known to be reached without a flip.
+    clear: usize,
+}
+
+impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<T>> + Clone>
+    Track<'a, A, T, N, I>
+{
+    pub(crate) fn new(arm: &'a A, start: &Joints<T, N>, path: I) -> Self {
+        Self {
+            arm,
+            path,
+            limits: Limits::NONE,
+            metric: Metric::new(&A::JOINTS, arm.reach()),
+            leap: math::half_turn::<T>() * T::lit(0.25),
+            ahead: 32,
+            seat: Seat::at(*start),
+            branch: None,
+            clear: 0,
+        }
+    }
+
+    /// Keeps the limits: every joint value that is given out lies in its range, windings included.
+    #[must_use]
+    pub fn within(mut self, limits: &Limits<N>) -> Self {
+        self.limits = *limits;
+        self
+    }
+
+    /// The largest joint move of a continuous step, in radians; 45° unless set.
+    #[must_use]
+    pub fn leap(mut self, leap: T) -> Self {
+        self.leap = leap;
+        self
+    }
+
+    /// How many poses ahead are looked at where branches meet; 32 unless set.
+    #[must_use]
+    pub fn ahead(mut self, poses: usize) -> Self {
+        self.ahead = poses;
+        self
+    }
+
+    /// Where the joints are.
+    pub fn q(&self) -> &Joints<T, N> {
+        &self.seat.q
+    }
+
+    /// For how many of the poses ahead a solution goes on; all of them if the path ends before.
+    fn lasts(&self, seat: &Seat<T, N>, to: &Winding<T, N, A::Branch>) -> usize {
+        let mut seat = seat.moved(to);
+        for (count, pose) in self.path.clone().take(self.ahead).enumerate() {
+            match self.headed(&seat, &pose) {
+                Some(next) => seat = seat.moved(&next),
+                None => return count,
+            }
+        }
+        self.ahead
+    }
+
+    /// The offer that lasts longest; among equals the one nearest to where the joints were heading.
+    fn longest(
+        &self,
+        pose: &Pose<T>,
+        offers: &Offers<T, N, A::Branch>,
+        continuous: bool,
+    ) -> Option<Choice<T, N, A::Branch>> {
+        let mut best: Option<Choice<T, N, A::Branch>> = None;
+        for winding in offers.as_ref().iter().flatten().flatten() {
+            if continuous && !self.continues(&self.seat, pose, &winding.q) {
+                continue;
+            }
+            let (lasts, off) = (self.lasts(&self.seat, winding), self.off(&self.seat, &winding.q));
+            if best.as_ref().is_none_or(|best| lasts > best.lasts || (lasts == best.lasts && off < best.off))
+            {
+                best = Some(Choice { winding: *winding, lasts, off });
+            }
+        }
+        best
+    }
+
+    /// Where branches meet: the one that heads on, unless it ends ahead and another goes farther.
+    fn chosen(
+        &mut self,
+        pose: &Pose<T>,
+        offers: &Offers<T, N, A::Branch>,
+    ) -> Option<Winding<T, N, A::Branch>> {
+        let (headed, count) = self.heading(&self.seat, pose, offers);
+        let headed = headed?.winding;
+        self.clear = self.clear.saturating_sub(1);
+        if count < 2 || self.clear > self.ahead / 2 {
+            return Some(headed);
+        }
+        self.clear = self.lasts(&self.seat, &headed);
+        if self.clear >= self.ahead {
+            return Some(headed);
+        }
+        let longest = self.longest(pose, offers, true);
+        Some(longest.filter(|choice| choice.lasts > self.clear).map_or(headed, |choice| choice.winding))
+    }
+
+    /// The member of a family on the way to where the path leaves it, if that is in sight.
+    fn led(&self, pose: &Pose<T>, held: Winding<T, N, A::Branch>) -> Winding<T, N, A::Branch> {
+        let Some((steps, exit)) = self.exit(&held) else { return held };
+        let share = T::lit(1.0) / T::lit(steps as f64 + 1.0);
+        let hold = combined(&self.seat.q, &exit, |now, then| now + (then - now) * share);
+        let offers = self.offers(&self.seat, pose, &hold, &self.limits);
+        for member in offers.as_ref().iter().flatten().flatten() {
+            if member.solution.branch == held.solution.branch && self.continues(&self.seat, pose, &member.q) {
+                return *member;
+            }
+        }
+        held
+    }
+
+    /// The joint values at the first pose ahead that leaves nothing free, and how many steps ahead it is.
+    fn exit(&self, held: &Winding<T, N, A::Branch>) -> Option<(usize, Joints<T, N>)> {
+        let mut seat = self.seat.moved(held);
+        for (count, pose) in self.path.clone().take(self.ahead).enumerate() {
+            let next = self.headed(&seat, &pose)?;
+            if next.solution.is_isolated() {
+                return Some((count + 1, next.q));
+            }
+            seat = seat.moved(&next);
+        }
+        None
+    }
+
+    /// Why none of the offers continues.
+    fn cause(&self, pose: &Pose<T>, offers: &Offers<T, N, A::Branch>) -> Cause<T> {
+        if self.limits != Limits::NONE {
+            let unlimited = self.offers(&self.seat, pose, &self.seat.q, &Limits::NONE);
+            if let Some(choice) = self.heading(&self.seat, pose, &unlimited).0
+                && let Some(reason) = self.passed(&choice.winding.q)
+            {
+                return Cause::Ended(reason);
+            }
+        }
+        let ended = |branch: A::Branch| {
+            crate::Branch::of(branch, offers).as_ref().and_then(|offer| offer.as_ref().err().copied())
+        };
+        self.branch.and_then(ended).map_or(Cause::Steep, Cause::Ended)
+    }
+
+    /// The step to a pose that no continuous step reaches.
+    fn flip(&self, pose: &Pose<T>, offers: &Offers<T, N, A::Branch>) -> Step<T, N, A::Branch> {
+        let Some(choice) = self.longest(pose, offers, false) else {
+            return Step::Blocked(refusal::<T, N, A::Branch>(offers));
+        };
+        let (mut joint, mut most, mut jump) = (0, T::lit(-1.0), T::lit(0.0));
+        let ways = combined(&choice.winding.q, &self.seat.q, |a, b| math::abs(a - b));
+        for (count, way) in pose::entries(&ways).into_iter().enumerate() {
+            let weight = self.metric.weigh(count, way);
+            if weight > most {
+                (joint, most, jump) = (count, weight, way);
+            }
+        }
+        Step::Flip { from: self.seat.q, to: choice.winding, joint, jump, cause: self.cause(pose, offers) }
+    }
+}
+
+impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<T>> + Clone> Iterator
+    for Track<'_, A, T, N, I>
+{
+    type Item = Step<T, N, A::Branch>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let pose = self.path.next()?;
+        if !pose::entries(&self.seat.q).iter().all(|value| math::is_finite(*value)) {
+            return Some(Step::Blocked(Reason::NotFinite));
+        }
+        let offers = self.offers(&self.seat, &pose, &self.seat.q, &self.limits);
+        let step = match self.chosen(&pose, &offers) {
+            Some(winding) if winding.solution.is_isolated() => {
+                Step::Continuous(self.steadied(&pose, winding, &offers))
+            }
+            Some(winding) => Step::Continuous(self.led(&pose, winding)),
+            None => match self
+                .let_go(&self.seat, &pose, &offers)
+                .or_else(|| self.settled(&self.seat, &pose, &offers))
+            {
+                Some(winding) => Step::Continuous(winding),
+                None => self.flip(&pose, &offers),
+            },
+        };
+        match &step {
+            Step::Continuous(to) => {
+                self.seat = Seat { free: 0, ..self.seat.moved(to) };
+                self.branch = Some(to.solution.branch);
+            }
+            Step::Flip { to, .. } => {
+                (self.seat, self.branch, self.clear) = (Seat::at(to.q), Some(to.solution.branch), 0);
+            }
+            Step::Blocked(_) => (self.seat, self.clear) = (Seat::at(self.seat.q), 0),
+        }
+        Some(step)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.path.size_hint()
+    }
+}
+
+impl<T, const N: usize, B> Step<T, N, B> {
+    /// The joint values that reach the pose, by a jump or without one.
+    pub fn q(&self) -> Option<&Joints<T, N>> {
+        match self {
+            Step::Continuous(to) | Step::Flip { to, .. } => Some(&to.q),
+            Step::Blocked(_) => None,
+        }
+    }
+}
+
+impl<T: Float> fmt::Display for Cause<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Cause::Ended(reason) => write!(f, "{reason}"),
+            Cause::Steep => f.write_str("no solution is nearer"),
+        }
+    }
+}
