@@ -32,6 +32,7 @@ fn along<A: SolveWrist<6>>(arm: &A, q: &Joints<f64, 6>) -> f64 {
     let (offset, reversed) = match arm.base::<f64>() {
         Base::Elbow(b) => (b.offset[0], b.reversed[0]),
         Base::Telescope(b) => (b.offset[0], b.reversed[0]),
+        Base::General(b) => (b.offset[0], false),
     };
     let psi = if reversed { offset - q[0] } else { offset + q[0] };
     let [x, y, _] = arm.wrist_centre(&arm.fk(q));
@@ -82,6 +83,8 @@ fn aimed<A: SolveWrist<6>>(arm: &A, aim: Aim, random: &mut Sampler) -> Joints<f6
                         -b.offset[2]
                     }
                 }
+                // Not among the arms of these tests.
+                Base::General(b) => -b.offset[2],
             };
         }
         if matches!(aim, Aim::Shoulder | Aim::WristAndShoulder) {

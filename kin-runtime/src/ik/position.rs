@@ -30,7 +30,8 @@ fn solve_choosing<T: Float, A: SolvePosition<3>>(
 ) -> Solutions<T, 3, ArmPosture> {
     let (sliding, base) = (sliding(&A::JOINTS), arm.base::<T>());
     let wanted = pose::entries(&p.coords);
-    let size = match size(&wanted, &base) {
+    let checked = if base.is_finite() { size(&wanted, base.reach()) } else { Err(Reason::NotAnArm) };
+    let size = match checked {
         Ok(size) => size,
         Err(reason) => return Solutions::none(sliding, reason),
     };

@@ -29,7 +29,7 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
     q: &Joints<T, N>,
 ) -> Option<(Joints<T, N>, T)> {
     let reach = T::lit(arm.reach());
-    let target = Target::new(pose, reach).ok()?;
+    let target = Target::for_reach(pose, reach).ok()?;
     let mut q = pose::entries(q);
     for _ in 0..STEPS {
         let (at, jacobian) = arm.fk_jacobian(&pose::column(q));

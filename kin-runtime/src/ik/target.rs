@@ -21,8 +21,19 @@ impl<T: Float> Target<T> {
     /// The reason that every slot is to show: not an arm, not finite, not a rotation, left-handed, or so far away that the numbers
     /// themselves would overflow.
     pub fn new(pose: &Pose<T>, base: &Base<T>) -> Result<Self, Reason<T>> {
+        if !base.is_finite() {
+            return Err(Reason::NotAnArm);
+        }
+        Target::for_reach(pose, base.reach())
+    }
+
+    /// Checks a pose for an arm of which only the reach is known.
+    ///
+    /// # Errors
+    /// As [`Target::new`].
+    pub fn for_reach(pose: &Pose<T>, reach: T) -> Result<Self, Reason<T>> {
         let (rotation, position) = pose::rows(pose);
-        let scale = size(&position, base)?;
+        let scale = size(&position, reach)?;
         let rotation = orthonormal(rotation)?;
         Ok(Self { pose: pose::from_rows(rotation, position), scale })
     }
@@ -45,12 +56,11 @@ impl<T: Float> Target<T> {
 ///
 /// # Errors
 /// An entry is not finite, or so large that no figure can be trusted; or the arm itself is nothing to compare with.
-pub fn size<T: Float>(position: &[T; 3], base: &Base<T>) -> Result<T, Reason<T>> {
-    let reach = base.reach();
+pub fn size<T: Float>(position: &[T; 3], reach: T) -> Result<T, Reason<T>> {
     // The squares of the smallest length that counts and of the farthest position must both be numbers.
     let (least, most) = (reach * T::EPS, reach / T::EPS);
     let sound = reach > T::lit(0.0) && least * least > T::lit(0.0) && math::is_finite(most * most);
-    if !(sound && base.is_finite()) {
+    if !sound {
         return Err(Reason::NotAnArm);
     }
     let largest = distance(position, &[T::lit(0.0); 3]);
