@@ -8,8 +8,8 @@
 //!
 //! # What is guaranteed
 //!
-//! A flip is reported only where no solution, of any branch, winding or family and within the limits, continues the
-//! joints as they stand; it is never hidden in a continuous step. Where branches meet (a stretched elbow, a straight
+//! A flip is reported only where no solution of the pose, of any branch or winding and within the limits, and none of the
+//! members of its families that are tried, continues the joints as they stand; it is never hidden in a continuous step. Where branches meet (a stretched elbow, a straight
 //! wrist, the wrist centre crossing axis 1) or lie close, several solutions continue: the one nearest to where the joints
 //! were heading is followed over the poses *ahead* (32), in steps of the same kind; if it ends there, so are the others,
 //! and the one that goes farthest is taken. In the same way the end of a flip that cannot be avoided is chosen. Within a
