@@ -69,16 +69,20 @@ fn angles_of_base_tool_and_flange_may_be_open() {
             hold: random.between(-3.0, 3.0),
             flange: random.between(-0.2, 0.2),
         };
-        let q = Joints::from(random.angles::<6>());
-        let pose = arm.fk(&q);
-        let solutions = arm.ik(&pose);
-        let near = |s: &Joints<f64, 6>| {
-            (0..6).all(|i| ((s[i] - q[i] + 3.0).rem_euclid(std::f64::consts::TAU) - 3.0).abs() < 1e-6)
-        };
-        assert!(solutions.iter().any(|s| near(&s.q)), "{arm:?} {q}\n{solutions}");
-        for solution in solutions.iter() {
-            assert!(miss(&arm.fk(&solution.q), &pose) < 1e-14);
-        }
+        comes_back(&arm, &Joints::from(random.angles::<6>()));
+    }
+}
+
+/// The joints are among the solutions of their pose, and each solution reaches it.
+fn comes_back<A: InverseKinematics<6> + std::fmt::Debug>(arm: &A, q: &Joints<f64, 6>) {
+    let pose = arm.fk(q);
+    let solutions = arm.ik(&pose);
+    let near = |s: &Joints<f64, 6>| {
+        (0..6).all(|i| ((s[i] - q[i] + 3.0).rem_euclid(std::f64::consts::TAU) - 3.0).abs() < 1e-6)
+    };
+    assert!(solutions.iter().any(|s| near(&s.q)), "{arm:?} {q}\n{solutions}");
+    for solution in solutions.iter() {
+        assert!(miss(&arm.fk(&solution.q), &pose) < 1e-14);
     }
 }
 
@@ -125,16 +129,7 @@ fn every_value_of_the_parameters_has_its_inverse() {
             home5: random.between(-3.0, 3.0),
             tcp: random.between(-0.2, 0.2),
         };
-        let q = Joints::from(random.angles::<6>());
-        let pose = arm.fk(&q);
-        let solutions = arm.ik(&pose);
-        let near = |s: &Joints<f64, 6>| {
-            (0..6).all(|i| ((s[i] - q[i] + 3.0).rem_euclid(std::f64::consts::TAU) - 3.0).abs() < 1e-6)
-        };
-        assert!(solutions.iter().any(|s| near(&s.q)), "{arm:?} {q}\n{solutions}");
-        for solution in solutions.iter() {
-            assert!(miss(&arm.fk(&solution.q), &pose) < 1e-14);
-        }
+        comes_back(&arm, &Joints::from(random.angles::<6>()));
     }
 }
 
