@@ -115,7 +115,7 @@
 //! * Windows for round-off are a few ε of the reach. A pose on the boundary is reached; one that misses it by more is
 //!   out of reach, by the distance that the reason tells.
 //! * No input panics, loops for long, or comes back as a NaN in a solution. The only trigonometric functions are those of
-//!   `libm`: the same bits on every target.
+//!   [`math`]: the same bits on every target.
 //!
 //! # The modules
 //!
@@ -147,7 +147,7 @@ pub use dh_macro::dh;
 pub use dynamic::{DynArm, DynError, DynOutcome, DynSlot, Inverse};
 pub use ik::{Axis, Base, ElbowBase, GeneralBase, TelescopeBase, Wrist, WristFamily};
 pub use limits::{Limits, Standing};
-pub use math::{Float, Real};
+pub use math::{Float, Lanes, Real};
 pub use nalgebra::{Matrix3, Point3};
 pub use pose::{Euler, EulerZyx, GimbalLock, Jacobian, Joints, Pose};
 pub use singularity::{Dexterity, dexterity, position_dexterity};

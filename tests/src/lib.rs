@@ -25,6 +25,7 @@ pub mod reliability;
 pub mod sample;
 pub mod score;
 pub mod seeds;
+pub mod trig;
 
 /// The README's program, compiled and run.
 #[cfg(doctest)]

@@ -190,15 +190,7 @@ impl Printer<'_> {
     }
 
     fn steps(&self, text: &mut String, program: &Program) {
-        for (index, turn) in program.turns.iter().enumerate() {
-            let named = |wanted: Op| {
-                let step = program.steps.iter().find(|s| s.op == wanted);
-                step.and_then(|s| s.name.clone()).unwrap_or_else(|| "_".to_owned())
-            };
-            let (sin, cos) = (named(Op::Sin(index)), named(Op::Cos(index)));
-            let angle = infix::turn(turn, self);
-            line!(text, "let ({sin}, {cos}) = {}::Real::sin_cos({angle});", self.krate);
-        }
+        self.turns(text, program);
         for (index, step) in program.steps.iter().enumerate() {
             let given = matches!(step.op, Op::Cos(_) | Op::Sin(_) | Op::Slide(_) | Op::Entry(_));
             if let (Some(name), false) = (&step.name, given) {
@@ -215,6 +207,26 @@ impl Printer<'_> {
             if program.outputs.iter().any(|o| wanted(o.value)) {
                 line!(text, "let {name} = T::lit({:?});", f64::from(value));
             }
+        }
+    }
+
+    /// The sines and cosines of all turns in one call, which has them side by side.
+    fn turns(&self, text: &mut String, program: &Program) {
+        let named = |wanted: Op| {
+            let step = program.steps.iter().find(|s| s.op == wanted);
+            step.and_then(|s| s.name.clone()).unwrap_or_else(|| "_".to_owned())
+        };
+        let list = |item: &dyn Fn(usize) -> String| {
+            (0..program.turns.len()).map(item).collect::<Vec<_>>().join(", ")
+        };
+        let sines = list(&|turn| named(Op::Sin(turn)));
+        let cosines = list(&|turn| named(Op::Cos(turn)));
+        let angles = list(&|turn| infix::turn(&program.turns[turn], self));
+        let krate = self.krate;
+        match program.turns.len() {
+            0 => {}
+            1 => line!(text, "let ({sines}, {cosines}) = {krate}::Real::sin_cos({angles});"),
+            _ => line!(text, "let ([{sines}], [{cosines}]) = {krate}::Real::sin_cos_all([{angles}]);"),
         }
     }
 

@@ -1,10 +1,25 @@
-//! Numbers: the only file that calls a transcendental function.
+//! Numbers: the only module that calls a transcendental function.
 //!
-//! Every sine, cosine and arctangent of this crate and of generated code goes through `libm`, which is pure Rust
-//! and uses no fused multiply-add: the same input gives the same bits on every target.
+//! Sines, cosines and arctangents are our own, in + − × ÷ of doubles and integers, without a fused multiply-add: the same
+//! input gives the same bits on every target, one at a time or side by side. Measured over 10⁸ samples each, none is more
+//! than one double away from the correctly rounded value (`cargo run --release -p tests --bin trig`). Single precision is
+//! double precision rounded. Roots are `libm`'s.
+//!
+//! ```text
+//! sine ◄ remainder      sine and cosine; what is left of a huge angle
+//! angle                 the angle of a plane vector
+//! lanes                 many numbers as one
+//! ```
 //!
 //! [`Float`] includes nalgebra's `RealField`, which has methods of the same names. Inside this crate the free
 //! functions of this module are used, so that it is always plain which of the two is meant.
+
+mod angle;
+mod lanes;
+mod remainder;
+mod sine;
+
+pub use lanes::Lanes;
 
 use core::fmt::LowerExp;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -27,6 +42,16 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
+    /// The sines and the cosines of several angles: the bits of [`sin_cos`](Real::sin_cos), in less time where the
+    /// type can have them side by side.
+    #[inline]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let (mut sines, mut cosines) = (angles, angles);
+        for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
+            (*sine, *cosine) = Real::sin_cos(*sine);
+        }
+        (sines, cosines)
+    }
 }
 
 /// What inverse kinematics needs besides: an order and an arctangent. Implemented for `f32` and `f64`.
@@ -47,11 +72,17 @@ impl Real for f64 {
     fn lit(x: f64) -> Self {
         x
     }
+    #[inline]
     fn sqrt(self) -> Self {
         libm::sqrt(self)
     }
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        libm::sincos(self)
+        sine::sin_cos(self)
+    }
+    #[inline]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        sine::sin_cos_lanes(angles)
     }
 }
 
@@ -59,7 +90,7 @@ impl Float for f64 {
     const EPS: Self = f64::EPSILON;
     const TURN: (Self, Self) = (core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
     fn atan2(y: Self, x: Self) -> Self {
-        libm::atan2(y, x)
+        angle::atan2(y, x)
     }
     fn hypot(x: Self, y: Self) -> Self {
         libm::hypot(x, y)
@@ -73,11 +104,19 @@ impl Real for f32 {
     fn lit(x: f64) -> Self {
         x as f32
     }
+    #[inline]
     fn sqrt(self) -> Self {
         libm::sqrtf(self)
     }
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        libm::sincosf(self)
+        let (s, c) = sine::sin_cos(f64::from(self));
+        (s as f32, c as f32)
+    }
+    #[inline]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let (s, c) = sine::sin_cos_lanes(angles.map(f64::from));
+        (s.map(|s| s as f32), c.map(|c| c as f32))
     }
 }
 
@@ -85,7 +124,7 @@ impl Float for f32 {
     const EPS: Self = f32::EPSILON;
     const TURN: (Self, Self) = (core::f32::consts::TAU, -1.748_455_6e-7);
     fn atan2(y: Self, x: Self) -> Self {
-        libm::atan2f(y, x)
+        angle::atan2(f64::from(y), f64::from(x)) as f32
     }
     fn hypot(x: Self, y: Self) -> Self {
         libm::hypotf(x, y)
@@ -113,6 +152,18 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 /// The angle of the plane vector (x, y), in [-π, π]; 0 for the zero vector.
 pub fn atan2<T: Float>(y: T, x: T) -> T {
     Float::atan2(y, x)
+}
+
+/// Sines and cosines side by side, each with the bits that it has alone.
+#[inline]
+pub fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
+    sine::sin_cos_lanes(angles)
+}
+
+/// The angles of plane vectors (x, y) side by side, each with the bits that it has alone.
+#[inline]
+pub fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
+    angle::atan2_lanes(y, x)
 }
 
 /// √(x² + y²) without overflow on the way.

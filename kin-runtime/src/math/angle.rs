@@ -1,0 +1,76 @@
+//! The angle of a plane vector: the smaller coordinate over the larger, one polynomial, and the octant put back.
+//!
+//! No branch and no table, as in [`super::sine`], for the same reasons. Constants: `tests/tools/minimax.py`.
+
+use core::f64::consts::FRAC_PI_4;
+
+/// What π/4 has beyond its double, of which one to four times are doubles too.
+const EIGHTH_REST: f64 = 3.061616997868383e-17;
+/// (1 - atan(t)/t)/t² in powers of t², for |t| ≤ 1/2; relative error of the arctangent 2^-57.8.
+const ARCTANGENT: [f64; 12] = [
+    0.3333333333333298,
+    -0.1999999999990316,
+    0.14285714276389852,
+    -0.11111110659793219,
+    0.09090896248303762,
+    -0.07692073963500157,
+    0.06663811094505073,
+    -0.05858301900931283,
+    0.051220181240823295,
+    -0.04186536669829941,
+    0.02743543789131395,
+    -0.010117170492241789,
+];
+/// Above this the sum of two coordinates may overflow: both are made smaller first.
+const LARGE: f64 = f64::MAX / 4.0;
+
+/// The angle of the vector (x, y), in [-π, π]. Signs of zeros count, and infinities are directions, as in IEEE 754.
+#[inline]
+pub(super) fn atan2(y: f64, x: f64) -> f64 {
+    straight(y, x)
+}
+
+/// Angles side by side, each with the bits that [`atan2`] gives.
+#[inline]
+pub(super) fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
+    let mut angles = y;
+    for (angle, x) in angles.iter_mut().zip(&x) {
+        *angle = straight(*angle, *x);
+    }
+    angles
+}
+
+#[inline(always)]
+fn straight(y: f64, x: f64) -> f64 {
+    let (rise, run) = (y.abs(), x.abs());
+    let steep = rise > run;
+    let (least, most) = if steep { (run, rise) } else { (rise, run) };
+    // Of two infinities the direction alone counts, and the zero vector has that of its signs.
+    let infinite = least == f64::INFINITY;
+    let least = if infinite { 1.0 } else { least };
+    let most = if infinite | (most == 0.0) { 1.0 } else { most };
+    let scale = if most > LARGE { 0.25 } else { 1.0 };
+    let (least, most) = (least * scale, most * scale);
+    // In the upper half the eighth of a turn is taken off: tan(φ - π/4) = (a - b)/(a + b), the difference exact.
+    let upper = least + least > most;
+    let (above, below) = if upper { (least - most, least + most) } else { (least, most) };
+    let t = above / below;
+    let bend = t * (t * t) * polynomial(t * t);
+    // The octant says how many eighths of a turn there are besides, and whether the angle counts back from them.
+    let eighths = if upper { 1.0 } else { 0.0 };
+    let (eighths, forth) = if steep { (2.0 - eighths, -1.0) } else { (eighths, 1.0) };
+    let back = x.is_sign_negative();
+    let (eighths, forth) = if back { (4.0 - eighths, -forth) } else { (eighths, forth) };
+    let angle = eighths * FRAC_PI_4 + (forth * t + (eighths * EIGHTH_REST - forth * bend));
+    if x.is_nan() | y.is_nan() { f64::NAN } else { angle.copysign(y) }
+}
+
+/// As [`super::sine`]'s, in three groups of four.
+#[inline(always)]
+fn polynomial(z: f64) -> f64 {
+    let [a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] = ARCTANGENT;
+    let w = z * z;
+    let four = |p: f64, q: f64, r: f64, s: f64| (p + z * q) + w * (r + z * s);
+    let (a, b, c) = (four(a0, a1, a2, a3), four(b0, b1, b2, b3), four(c0, c1, c2, c3));
+    a + (w * w) * (b + (w * w) * c)
+}

@@ -1,0 +1,66 @@
+//! Many numbers as one: a [`Real`] whose operations act on each lane.
+//!
+//! A plain array. Compilers make vectors of it, as wide as the target has them, and every lane has the bits that its
+//! number alone would have.
+
+use super::Real;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `L` numbers side by side. `arm.fk::<Lanes<f64, 8>>(…)` is eight configurations at once, joint by joint.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Lanes<T, const L: usize>(pub [T; L]);
+
+impl<T: Copy, const L: usize> Lanes<T, L> {
+    /// The same number in every lane.
+    pub const fn splat(x: T) -> Self {
+        Lanes([x; L])
+    }
+}
+
+/// An operation of two numbers, lane by lane.
+macro_rules! lanewise {
+    ($($operation:ident, $method:ident, $sign:tt;)*) => {$(
+        impl<T: Real, const L: usize> $operation for Lanes<T, L> {
+            type Output = Self;
+            #[inline]
+            fn $method(mut self, other: Self) -> Self {
+                for (x, y) in self.0.iter_mut().zip(other.0) {
+                    *x = *x $sign y;
+                }
+                self
+            }
+        }
+    )*};
+}
+
+lanewise! { Add, add, +; Sub, sub, -; Mul, mul, *; Div, div, /; }
+
+impl<T: Real, const L: usize> Neg for Lanes<T, L> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Lanes(self.0.map(T::neg))
+    }
+}
+
+impl<T: Real, const L: usize> Real for Lanes<T, L> {
+    #[inline]
+    fn lit(x: f64) -> Self {
+        Lanes::splat(T::lit(x))
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        Lanes(self.0.map(Real::sqrt))
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sines, cosines) = T::sin_cos_all(self.0);
+        (Lanes(sines), Lanes(cosines))
+    }
+}
+
+impl<T, const L: usize> From<[T; L]> for Lanes<T, L> {
+    fn from(lanes: [T; L]) -> Self {
+        Lanes(lanes)
+    }
+}

@@ -1,0 +1,114 @@
+//! Sine and cosine: a quarter turn taken off as often as it goes, then two polynomials.
+//!
+//! The remainder is taken with π/2 in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary
+//! Functions, 1980): the first two have 39 bits, so that their products with fewer than 2^14 quarters are exact, and no
+//! multiple of π/2 below that is nearer to a double than 2^-60. Angles beyond go through [`super::remainder`].
+//!
+//! The usual way has no branch and no table: a loop over an array is a loop over vectors, and the same operations in
+//! the same order give the same bits, one angle at a time or many. Constants: `tests/tools/minimax.py`.
+
+use super::remainder::remainder;
+
+/// Angles up to this size, some 4,000 turns, take the usual way.
+const USUAL: f64 = 25_000.0;
+/// 1.5·2^52: a number added to it is rounded to a whole one, which stands in its last bits.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+/// π/2 in parts of 39, 39 and 53 bits.
+const QUARTER: [f64; 3] = [1.5707963267923333, 2.5633441515905732e-12, 3.9455541665632055e-24];
+/// (1 - sin(r)/r)/r² in powers of r², for |r| ≤ π/4; relative error of the sine 2^-57.9.
+const SINE: [f64; 6] = [
+    0.1666666666666663,
+    -0.008333333333322118,
+    0.00019841269829589544,
+    -2.7557313621391296e-06,
+    2.5050747764531712e-08,
+    -1.5896230297698567e-10,
+];
+/// (cos(r) - 1 + r²/2)/r⁴ in powers of r², for |r| ≤ π/4; relative error of the cosine 2^-64.
+const COSINE: [f64; 6] = [
+    0.041666666666666595,
+    -0.0013888888888873056,
+    2.4801587288851768e-05,
+    -2.7557314179311066e-07,
+    2.087570084351791e-09,
+    -1.1358536586759383e-11,
+];
+
+/// Sine and cosine of any number; NaN for infinities and NaN.
+#[inline]
+pub(super) fn sin_cos(x: f64) -> (f64, f64) {
+    if x.abs() <= USUAL { usual(x) } else { unusual(x) }
+}
+
+/// Sines and cosines side by side, each with the bits that [`sin_cos`] gives.
+#[inline]
+pub(super) fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
+    let (mut sines, mut cosines) = (angles, angles);
+    for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
+        (*sine, *cosine) = usual(*sine);
+    }
+    // Without `all`, whose early return is a branch for each lane.
+    if !angles.iter().fold(true, |usual, x| usual & (x.abs() <= USUAL)) {
+        repair(&angles, &mut sines, &mut cosines);
+    }
+    (sines, cosines)
+}
+
+/// Puts right what the usual way cannot know.
+#[cold]
+fn repair(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
+    for ((x, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
+        (*sine, *cosine) = sin_cos(*x);
+    }
+}
+
+/// Sine and cosine of an angle of usual size; of others, nothing of meaning.
+#[inline(always)]
+fn usual(x: f64) -> (f64, f64) {
+    let whole = x * core::f64::consts::FRAC_2_PI + WHOLE;
+    let quarters = whole - WHOLE;
+    let [first, second, third] = QUARTER;
+    let (far, step) = (x - quarters * first, quarters * second);
+    let near = far - step;
+    let lost = quarters * third - ((far - near) - step);
+    let r = near - lost;
+    turned(whole.to_bits(), r, lost - (near - r))
+}
+
+/// Sine and cosine of an angle of unusual size, or of none.
+#[cold]
+fn unusual(x: f64) -> (f64, f64) {
+    if !x.is_finite() {
+        return (f64::NAN, f64::NAN);
+    }
+    let (quarters, r, over) = remainder(x);
+    turned(quarters, r, over)
+}
+
+/// Sine and cosine of so many quarter turns and the angle r - over, |r| ≤ π/4 and `over` a rounding error of r.
+///
+/// Differences are written such that -0 keeps its sign.
+#[inline(always)]
+fn turned(quarters: u64, r: f64, over: f64) -> (f64, f64) {
+    let z = r * r;
+    let half = 0.5 * z;
+    let sine = r - (over * (1.0 - half) + (z * r) * polynomial(&SINE, z));
+    let most = 1.0 - half;
+    let cosine = most + (((1.0 - most) - half) + (z * z * polynomial(&COSINE, z) + r * over));
+    // An odd number of quarters exchanges the two; bit 1 of the number is the sign of the sine, that of the next
+    // number the sign of the cosine. In bits, so that there is nothing to branch on.
+    let (s, c) = (sine.to_bits(), cosine.to_bits());
+    let exchange = (s ^ c) & (quarters & 1).wrapping_neg();
+    let sign = |quarters: u64| (quarters & 2) << 62;
+    (
+        f64::from_bits(s ^ exchange ^ sign(quarters)),
+        f64::from_bits(c ^ exchange ^ sign(quarters.wrapping_add(1))),
+    )
+}
+
+/// A polynomial by pairs of coefficients, which wait for each other less than Horner's do.
+#[inline(always)]
+fn polynomial(c: &[f64; 6], z: f64) -> f64 {
+    let w = z * z;
+    (c[0] + z * c[1]) + w * ((c[2] + z * c[3]) + w * (c[4] + z * c[5]))
+}
