@@ -57,7 +57,8 @@ fn zeros_infinities_and_nan() {
     ] {
         assert_eq!(math::atan2(y, x).to_bits(), angle.to_bits(), "{y} {x}");
         assert_eq!(math::atan2(-y, x).to_bits(), (-angle).to_bits(), "-{y} {x}");
-        if (y, x) != (f64::MAX, -f64::MAX) {
+        // What single precision has too: the smallest double is zero there.
+        if y != 5e-324 {
             let (y, x, angle) = (y as f32, x as f32, angle as f32);
             assert_eq!(math::atan2(y, x).to_bits(), angle.to_bits(), "{y} {x}");
             assert_eq!(math::atan2(-y, x).to_bits(), (-angle).to_bits(), "-{y} {x}");
