@@ -65,7 +65,7 @@ fn puma_560_reads_like_a_textbook() {
     println!("{lines} lines for FK, Jacobian and ³R₆");
     assert!(lines < 200, "{lines} lines");
     let text = parts.concat().join("\n");
-    for name in ["s1, c1", "s23, c23", "let a2 =", "let d4 =", "let px =", "let r31 ="] {
+    for name in ["[s1, s2, s23", "[c1, c2, c23", "let a2 =", "let d4 =", "let px =", "let r31 ="] {
         assert!(text.contains(name), "{name} is missing from\n{text}");
     }
     assert!(!text.contains("tmp"));
