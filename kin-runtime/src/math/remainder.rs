@@ -87,6 +87,6 @@ fn radians([first, second, third]: [u64; 3]) -> (f64, f64) {
 /// The upper 128 bits of a product, up to three units too small.
 fn high_half(x: u128, y: u128) -> u128 {
     let low = u128::from(u64::MAX);
-    let across = ((x >> 64) * (y & low) >> 64) + ((x & low) * (y >> 64) >> 64);
+    let across = (((x >> 64) * (y & low)) >> 64) + (((x & low) * (y >> 64)) >> 64);
     (x >> 64) * (y >> 64) + across
 }
