@@ -1,0 +1,156 @@
+//! What the shared solvers ask of an arm, and the traits through which its user asks them.
+
+use std::fmt::Write;
+
+use super::method::{Given, Gives};
+use super::{ATTRIBUTES, Printer, line};
+use crate::back::infix::{self, Leaves};
+use crate::model::{PoseSolver, PositionSolver};
+
+/// A trait of the runtime through which an inverse is called.
+struct Entry {
+    name: &'static str,
+    branch: &'static str,
+    method: &'static str,
+    given: Given,
+    /// The runtime's module that solves it.
+    solver: &'static str,
+}
+
+impl Printer<'_> {
+    /// The wrist by itself.
+    pub(super) fn wrist(&self, text: &mut String, solver: &PoseSolver) {
+        let (name, krate, n) = (&self.arm.name, self.krate, self.count());
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::SphericalWrist<{n}> for {name} {{");
+        let what = "³R₆ from the last three row values";
+        self.method(text, what, &solver.r36, Given::Rows(3), Gives::Matrix);
+        let what = "⁰R₃ and the wrist centre, from the first three row values";
+        self.method(text, what, &solver.r03, Given::Rows(0), Gives::MatrixAndPoint);
+        let program = &solver.wrist_matrix;
+        line!(text, "/// The last three row values from ³R₆, by look-up of its entries.");
+        let argument = self.arguments(Given::Rotation);
+        line!(text, "fn wrist_angles<T: {krate}::Float>(&self, {argument}) -> {krate}::Wrist<T> {{");
+        self.steps(text, program, Given::Rotation);
+        line!(text, "{}\n}}\n}}", self.wrist_value(&solver.geometry.wrist, program));
+    }
+
+    /// The inverse of an arm with a spherical wrist.
+    pub(super) fn pose_inverse(&self, text: &mut String, solver: &PoseSolver) {
+        let (name, krate, n) = (&self.arm.name, self.krate, self.count());
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::private::SolveWrist<{n}> for {name} {{");
+        self.base(text, &solver.geometry.base);
+        let what = "The wrist centre of a pose, in the shoulder frame";
+        self.method(text, what, &solver.wrist_centre, Given::Pose, Gives::Coordinates);
+        let what = "³R₆ of a pose, from the first three row values";
+        self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose, Gives::Matrix);
+        self.command(text);
+        line!(text, "}}");
+        self.entry(
+            text,
+            &Entry {
+                name: "InverseKinematics",
+                branch: "Posture",
+                method: "ik",
+                given: Given::Pose,
+                solver: "spherical_wrist",
+            },
+        );
+    }
+
+    /// The inverse of an arm that puts a point in its place.
+    pub(super) fn position_inverse(&self, text: &mut String, solver: &PositionSolver) {
+        let (name, krate, n) = (&self.arm.name, self.krate, self.count());
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::private::SolvePosition<{n}> for {name} {{");
+        self.base(text, &solver.geometry.base);
+        let what = "A point in the shoulder frame";
+        self.method(text, what, &solver.tool_point, Given::Point, Gives::Coordinates);
+        self.command(text);
+        line!(text, "}}");
+        self.entry(
+            text,
+            &Entry {
+                name: "PositionInverse",
+                branch: "ArmPosture",
+                method: "ik_position",
+                given: Given::Point,
+                solver: "position",
+            },
+        );
+    }
+
+    fn entry(&self, text: &mut String, entry: &Entry) {
+        let (arm, krate, n) = (&self.arm.name, self.krate, self.count());
+        let Entry { name, branch, method, given, solver } = *entry;
+        let argument = self.arguments(given);
+        let asked = argument.split(':').next().unwrap_or_default();
+        let solutions = format!("{krate}::Solutions<T, {n}, {krate}::{branch}>");
+        let hold = format!("hold: &{krate}::Joints<T, {n}>");
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::{name}<{n}> for {arm} {{");
+        line!(text, "type Branch = {krate}::{branch};");
+        line!(text, "fn {method}<T: {krate}::Float>(&self, {argument}) -> {solutions} {{");
+        line!(text, "{krate}::ik::{solver}::solve(self, {asked})\n}}");
+        line!(text, "fn {method}_holding<T: {krate}::Float>(&self, {argument}, {hold}) -> {solutions} {{");
+        line!(text, "{krate}::ik::{solver}::solve_holding(self, {asked}, hold)\n}}\n}}");
+    }
+
+    /// The sentence for whoever asks an arm that has no inverse.
+    pub(super) fn no_inverse(&self, text: &mut String, reason: &str) {
+        let (name, krate) = (&self.arm.name, self.krate);
+        let sentence = format!("`{name}` has no inverse kinematics: {reason}");
+        let sentence = format!("{:?}", sentence.replace('{', "(").replace('}', ")"));
+        line!(text, "const _: () = {{");
+        line!(text, "/// No number is one: it carries the sentence that says why.");
+        line!(
+            text,
+            "#[diagnostic::on_unimplemented(message = {sentence}, label = \"not derived for this arm\")]"
+        );
+        line!(text, "pub trait NoInverse {{}}");
+        // With one implementation that is not to be spoken of, rustc does not propose to write the first one.
+        line!(text, "#[diagnostic::do_not_recommend]\nimpl NoInverse for {name} {{}}");
+        line!(text, "{ATTRIBUTES}\nimpl {name} {{");
+        for (method, argument, branch) in [("ik", "Pose", "Posture"), ("ik_position", "Point3", "ArmPosture")]
+        {
+            // Its result is what the loop over the solutions expects, so that the sentence stands alone.
+            line!(text, "/// Not derived for this arm: {reason}.");
+            line!(text, "pub fn {method}<T: {krate}::Float + NoInverse>(&self, _: &{krate}::{argument}<T>)");
+            line!(text, "-> {krate}::Solutions<T, {}, {krate}::{branch}> {{ loop {{}} }}", self.count());
+        }
+        line!(text, "}}\n}};");
+    }
+
+    /// The way from row values to what the caller commands, and back.
+    fn command(&self, text: &mut String) {
+        let doc = "What the caller commands, from the rows' own values; linear, without offsets.";
+        self.linear_map(text, doc, "command", "rows", &self.arm.uncouple);
+        let doc = "The rows' own values, from what the caller commands; linear, without offsets.";
+        self.linear_map(text, doc, "rows", "q", &self.arm.couple);
+    }
+
+    fn linear_map(&self, text: &mut String, doc: &str, name: &str, argument: &str, matrix: &[Vec<i64>]) {
+        let (krate, n) = (self.krate, self.count());
+        let identity =
+            |(i, row): (usize, &Vec<i64>)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j));
+        line!(text, "/// {doc}");
+        line!(text, "fn {name}<T: {krate}::Real>(&self, {argument}: [T; {n}]) -> [T; {n}] {{");
+        if matrix.iter().enumerate().all(identity) {
+            line!(text, "{argument}\n}}");
+            return;
+        }
+        let names: Vec<String> = (0..n).map(|j| format!("q{}", j + 1)).collect();
+        line!(text, "let [{}] = {argument};", names.join(", "));
+        let sums: Vec<String> = matrix.iter().map(|row| self.integer_sum(row)).collect();
+        line!(text, "[{}]\n}}", sums.join(", "));
+    }
+
+    fn integer_sum(&self, coefficients: &[i64]) -> String {
+        let mut text = String::new();
+        for (j, coefficient) in coefficients.iter().enumerate().filter(|(_, c)| **c != 0) {
+            let factor = match coefficient.unsigned_abs() {
+                1 => format!("q{}", j + 1),
+                many => format!("{} * q{}", self.literal(many as f64), j + 1),
+            };
+            infix::append(&mut text, *coefficient < 0, &factor);
+        }
+        text
+    }
+}

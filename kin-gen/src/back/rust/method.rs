@@ -1,0 +1,241 @@
+//! Methods whose body is a program: what they are given, what they give back, and the steps between.
+
+use std::fmt::Write;
+
+use super::{Printer, line};
+use crate::back::infix;
+use crate::program::{Op, Output, Program, Value};
+use crate::truth::entry_name;
+
+/// What a program starts from: the arguments of its method, and where its variables come from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Given {
+    /// All commanded values, as a vector.
+    Joints,
+    /// The row values of three joints, each an argument of its own; the first of them, counted from 0.
+    Rows(usize),
+    /// A pose.
+    Pose,
+    /// The row values of joints 1 to 3, and a pose.
+    RowsAndPose,
+    /// A point.
+    Point,
+    /// ³R₆.
+    Rotation,
+}
+
+/// What a program's outputs are put into.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Gives {
+    /// One pose.
+    Pose,
+    /// One pose for each joint.
+    Frames,
+    /// A Jacobian.
+    Jacobian,
+    /// A pose, then a Jacobian.
+    PoseAndJacobian,
+    /// A 3×3 matrix.
+    Matrix,
+    /// A 3×3 matrix, then a point.
+    MatrixAndPoint,
+    /// Three coordinates.
+    Coordinates,
+}
+
+impl Printer<'_> {
+    /// The arguments after `&self`.
+    pub(super) fn arguments(&self, given: Given) -> String {
+        let (krate, n) = (self.krate, self.count());
+        match given {
+            Given::Joints => format!("q: &{krate}::Joints<T, {n}>"),
+            Given::Rows(first) => {
+                (1..=3).map(|j| format!("q{}: T", first + j)).collect::<Vec<_>>().join(", ")
+            }
+            Given::Pose => format!("pose: &{krate}::Pose<T>"),
+            Given::RowsAndPose => format!("rows: [T; 3], pose: &{krate}::Pose<T>"),
+            Given::Point => format!("point: &{krate}::Point3<T>"),
+            Given::Rotation => format!("r36: &{krate}::Matrix3<T>"),
+        }
+    }
+
+    fn result(&self, gives: Gives) -> String {
+        let (krate, n) = (self.krate, self.count());
+        let (pose, jacobian) = (format!("{krate}::Pose<T>"), format!("{krate}::Jacobian<T, {n}>"));
+        match gives {
+            Gives::Pose => pose,
+            Gives::Frames => format!("[{pose}; {n}]"),
+            Gives::Jacobian => jacobian,
+            Gives::PoseAndJacobian => format!("({pose}, {jacobian})"),
+            Gives::Matrix => format!("{krate}::Matrix3<T>"),
+            Gives::MatrixAndPoint => format!("({krate}::Matrix3<T>, {krate}::Point3<T>)"),
+            Gives::Coordinates => "[T; 3]".to_owned(),
+        }
+    }
+
+    /// A method whose body is a program.
+    pub(super) fn method(
+        &self,
+        text: &mut String,
+        what: &str,
+        program: &Program,
+        given: Given,
+        gives: Gives,
+    ) {
+        let (krate, arguments, result) = (self.krate, self.arguments(given), self.result(gives));
+        line!(text, "/// {what}: {}.", program.cost());
+        line!(text, "fn {}<T: {krate}::Real>(&self, {arguments}) -> {result} {{", program.name);
+        self.steps(text, program, given);
+        line!(text, "{}\n}}", self.value(program, gives));
+    }
+
+    /// The body of a method but for its value.
+    pub(super) fn steps(&self, text: &mut String, program: &Program, given: Given) {
+        self.bind_joints(text, program, given);
+        bind_entries(text, program, given);
+        self.turns(text, program);
+        for (index, step) in program.steps.iter().enumerate() {
+            let given = matches!(step.op, Op::Cos(_) | Op::Sin(_) | Op::Slide(_) | Op::Entry(_));
+            if let (Some(name), false) = (&step.name, given) {
+                line!(text, "let {name} = {};", infix::step(program, index, self));
+            }
+        }
+        for output in &program.outputs {
+            if let Some(name) = negated(program, output) {
+                line!(text, "let {name} = {};", infix::output(program, output.value, self));
+            }
+        }
+        for (value, name) in [(0, "zero"), (1, "one")] {
+            let wanted = |v: Value| matches!(v, Value::Unit(unit) if unit.abs() == value);
+            if program.outputs.iter().any(|o| wanted(o.value)) {
+                line!(text, "let {name} = T::lit({:?});", f64::from(value));
+            }
+        }
+    }
+
+    /// Binds the joint values that the program uses, where they come as a vector.
+    fn bind_joints(&self, text: &mut String, program: &Program, given: Given) {
+        let slides =
+            program.steps.iter().filter_map(|s| if let Op::Slide(j) = s.op { Some(j) } else { None });
+        let turned = program.turns.iter().flat_map(|t| t.joints.iter().map(|(_, j)| *j));
+        let used: Vec<usize> = slides.chain(turned).collect();
+        if used.is_empty() {
+            return;
+        }
+        let bind = |count: usize| {
+            let names =
+                (0..count).map(|j| if used.contains(&j) { format!("q{}", j + 1) } else { "_".to_owned() });
+            names.collect::<Vec<_>>().join(", ")
+        };
+        match given {
+            Given::Joints => line!(text, "let [[{}]] = q.data.0;", bind(self.count())),
+            Given::RowsAndPose => line!(text, "let [{}] = rows;", bind(3)),
+            Given::Rows(_) | Given::Pose | Given::Point | Given::Rotation => {}
+        }
+    }
+
+    /// The sines and cosines of all turns in one call, which has them side by side.
+    fn turns(&self, text: &mut String, program: &Program) {
+        let named = |wanted: Op| {
+            let step = program.steps.iter().find(|s| s.op == wanted);
+            step.and_then(|s| s.name.clone()).unwrap_or_else(|| "_".to_owned())
+        };
+        let list = |item: &dyn Fn(usize) -> String| {
+            (0..program.turns.len()).map(item).collect::<Vec<_>>().join(", ")
+        };
+        let sines = list(&|turn| named(Op::Sin(turn)));
+        let cosines = list(&|turn| named(Op::Cos(turn)));
+        let angles = list(&|turn| infix::turn(&program.turns[turn], self));
+        let krate = self.krate;
+        match program.turns.len() {
+            0 => {}
+            1 => line!(text, "let ({sines}, {cosines}) = {krate}::Real::sin_cos({angles});"),
+            _ => line!(text, "let ([{sines}], [{cosines}]) = {krate}::Real::sin_cos_all([{angles}]);"),
+        }
+    }
+
+    fn value(&self, program: &Program, gives: Gives) -> String {
+        let krate = self.krate;
+        let matrix = || format!("{krate}::private::matrix({})", self.rows(program));
+        match gives {
+            Gives::Pose => self.pose(program, 0),
+            Gives::Frames => {
+                let frames = (0..self.count()).map(|i| self.pose(program, 12 * i));
+                format!("[{}]", frames.collect::<Vec<_>>().join(",\n"))
+            }
+            Gives::Jacobian => self.jacobian(program, 0),
+            Gives::PoseAndJacobian => {
+                format!("({},\n{})", self.pose(program, 0), self.jacobian(program, 12))
+            }
+            Gives::Matrix => matrix(),
+            Gives::MatrixAndPoint => {
+                format!("({}, {krate}::private::point({}))", matrix(), self.list(program, 9, 3))
+            }
+            Gives::Coordinates => self.list(program, 0, 3),
+        }
+    }
+
+    /// The first nine outputs, by rows.
+    pub(super) fn rows(&self, program: &Program) -> String {
+        self.rows_from(program, 0)
+    }
+
+    fn rows_from(&self, program: &Program, start: usize) -> String {
+        let rows: Vec<String> = (0..3).map(|i| self.list(program, start + 3 * i, 3)).collect();
+        format!("[{}]", rows.join(",\n"))
+    }
+
+    fn pose(&self, program: &Program, start: usize) -> String {
+        let position = self.list(program, start + 9, 3);
+        format!("{}::private::pose({}, {position})", self.krate, self.rows_from(program, start))
+    }
+
+    fn jacobian(&self, program: &Program, start: usize) -> String {
+        let columns: Vec<String> = (0..self.count()).map(|j| self.list(program, start + 6 * j, 6)).collect();
+        format!("{}::private::jacobian([{}])", self.krate, columns.join(",\n"))
+    }
+
+    fn list(&self, program: &Program, start: usize, count: usize) -> String {
+        let values: Vec<String> = (start..start + count).map(|i| self.output(program, i)).collect();
+        format!("[{}]", values.join(", "))
+    }
+
+    fn output(&self, program: &Program, index: usize) -> String {
+        let Some(output) = program.outputs.get(index) else { return String::new() };
+        match output.value {
+            Value::Unit(0) => "zero".to_owned(),
+            Value::Unit(1) => "one".to_owned(),
+            Value::Unit(_) => "-one".to_owned(),
+            Value::Step { .. } if negated(program, output).is_some() => output.name.clone(),
+            value => infix::output(program, value, self),
+        }
+    }
+}
+
+/// Binds the entries of the given pose, point or rotation that the program uses.
+fn bind_entries(text: &mut String, program: &Program, given: Given) {
+    let used = |e: usize| program.steps.iter().any(|s| s.op == Op::Entry(e));
+    let entry = |e: usize| if used(e) { entry_name(e) } else { "_".to_owned() };
+    let (rotation, position) = match given {
+        Given::Pose | Given::RowsAndPose => ("pose.rotation.matrix()", "pose.translation.vector"),
+        Given::Rotation => ("r36", ""),
+        Given::Point => ("", "point.coords"),
+        Given::Joints | Given::Rows(_) => return,
+    };
+    if (0..9).any(used) {
+        let columns: Vec<String> =
+            (0..3).map(|j| format!("[{}, {}, {}]", entry(j), entry(3 + j), entry(6 + j))).collect();
+        line!(text, "let [{}] = {rotation}.data.0;", columns.join(", "));
+    }
+    if (9..12).any(used) {
+        line!(text, "let [[{}, {}, {}]] = {position}.data.0;", entry(9), entry(10), entry(11));
+    }
+}
+
+/// The name of an output that is the negative of a step without a name.
+fn negated<'a>(program: &Program, output: &'a Output) -> Option<&'a str> {
+    match output.value {
+        Value::Step { index, negative: true } if program.steps[index].name.is_none() => Some(&output.name),
+        _ => None,
+    }
+}
