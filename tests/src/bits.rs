@@ -59,7 +59,7 @@ impl Hash {
 }
 
 /// A linear congruential generator (D. Knuth, MMIX): a few lines that any target does alike.
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
     /// In [-1, 1).
@@ -69,7 +69,7 @@ impl Random {
     }
 
     /// Joint values: any, some far beyond a turn, some at multiples of a quarter turn, where arms are singular.
-    fn joints<const N: usize>(&mut self) -> Joints<f64, N> {
+    pub fn joints<const N: usize>(&mut self) -> Joints<f64, N> {
         let kind = self.unit();
         let mut value = || {
             let (unit, near) = (self.unit(), self.unit());
