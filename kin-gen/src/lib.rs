@@ -18,7 +18,8 @@
 //! * [`family`]: which arms can be solved, and with what numbers
 //! * [`program`], [`signs`], [`names`], [`eval`]: straight-line code, its signs, its names, its meaning
 //! * [`model`]: all of it for one arm
-//! * [`back`]: Rust and listings
+//! * [`textbook`]: the formulas that are read, not run: link matrices, ⁰T₆, the factors of det J
+//! * [`back`]: Rust, listings, MathML
 //!
 //! This crate depends on nothing, does no input or output, and never spells a place: it does not know who calls it.
 
@@ -36,6 +37,7 @@ pub mod program;
 pub mod quantity;
 pub mod report;
 pub mod signs;
+pub mod textbook;
 pub mod truth;
 
 use decl::Token;
@@ -113,6 +115,16 @@ fn compile_into(tokens: &[Token], report: &mut Report) -> Option<Arm> {
             report.error_help(chain.place, format!("no proved code for {}: {mismatch}", chain.name), help);
             None
         }
+    }
+}
+
+/// Text of a `.dh` file in, the checked chain out, or the rendered messages.
+pub fn check_text(text: &str) -> Result<chain::Chain, String> {
+    let (tokens, places, mut report) = decl::lex::lex(text);
+    let chain = decl::grammar::parse(&tokens, &mut report).and_then(|decl| chain::check(&decl, &mut report));
+    match chain {
+        Some(chain) if !report.has_errors() => Ok(chain),
+        _ => Err(decl::render(text, &places, &report)),
     }
 }
 

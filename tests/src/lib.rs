@@ -17,6 +17,7 @@ pub mod dh;
 pub mod dual;
 pub mod expression;
 pub mod interpreted;
+pub mod mathml;
 pub mod polynomial;
 pub mod pose;
 pub mod product;

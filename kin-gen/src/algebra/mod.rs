@@ -6,6 +6,7 @@
 //! * [`vector`]: three-vectors and matrices of either.
 //! * [`frame`]: the frames of a chain, joints with parallel axes fused before they become sines.
 
+mod content;
 pub mod expr;
 pub mod frame;
 mod monomial;
@@ -14,3 +15,5 @@ pub mod ring;
 mod show;
 mod turn;
 pub mod vector;
+
+pub use show::Part;

@@ -7,6 +7,7 @@
 
 pub mod infix;
 pub mod listing;
+pub mod mathml;
 pub mod rust;
 
 use crate::model::Arm;
@@ -20,7 +21,8 @@ pub struct Backend {
 }
 
 /// All backends.
-pub const ALL: [Backend; 2] = [
+pub const ALL: [Backend; 3] = [
     Backend { name: "listing", print: listing::print },
+    Backend { name: "mathml", print: mathml::print },
     Backend { name: "rust", print: |arm| rust::items(arm, "::kin_runtime") },
 ];
