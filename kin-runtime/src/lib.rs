@@ -121,9 +121,9 @@
 //!
 //! [`arm`] the traits · [`pose`] poses, joint vectors, Euler angles · [`geometry`] the figures that solutions are spelled
 //! with · [`ik`] the solvers, one page each · [`solutions`] what they give back · [`limits`] · [`track`] paths of poses ·
-//! [`singularity`] · [`dynamic`] arms behind references · [`math`] numbers.
+//! [`trajectory`] motions in time · [`singularity`] · [`dynamic`] arms behind references · [`math`] numbers.
 //!
-//! The feature `serde` makes poses, joint vectors, solutions, reasons, postures and limits storable.
+//! The feature `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
 
 pub mod arm;
@@ -141,6 +141,7 @@ mod sample;
 pub mod singularity;
 pub mod solutions;
 pub mod track;
+pub mod trajectory;
 
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
 pub use dh_macro::dh;
@@ -156,6 +157,7 @@ pub use solutions::{
     Reason, Shoulder, Singularity, Slot, Solution, Solutions, Winding, Windings,
 };
 pub use track::{Cause, Step, Track};
+pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, TrajectoryError};
 
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {

@@ -103,7 +103,7 @@ fn known<T: Float>(x: T) -> T {
 
 /// The rotation nearest to a matrix that is one but for rounding of its source: half of the defect 1 - RᵀR is given
 /// back to R, which squares it, until nothing is left.
-fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
+pub(crate) fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
     if r.iter().flatten().any(|x| !math::is_finite(*x)) {
         return Err(Reason::NotFinite);
     }
