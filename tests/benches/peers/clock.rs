@@ -1,0 +1,54 @@
+//! Time: rounds of all ways in turn, so that the machine's moods touch all of them alike.
+
+use crate::data::COUNT;
+use crate::ways::Way;
+use std::fmt::Write;
+use std::time::Instant;
+
+/// Rounds; the median counts.
+pub(crate) const ROUNDS: usize = 25;
+
+/// The median time of one element in nanoseconds, for each way.
+pub(crate) fn medians(ways: &mut [Way]) -> Vec<f64> {
+    let mut times = vec![Vec::with_capacity(ROUNDS); ways.len()];
+    for _ in 0..ROUNDS {
+        for (way, times) in ways.iter_mut().zip(&mut times) {
+            let start = Instant::now();
+            (way.run)(COUNT);
+            times.push(start.elapsed().as_secs_f64() * 1e9 / COUNT as f64);
+        }
+    }
+    let median = |mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[ROUNDS / 2]
+    };
+    times.into_iter().map(median).collect()
+}
+
+/// A table for the terminal: time, instructions, and how many times this library's they are.
+pub(crate) fn table(ways: &[Way], times: &[f64], counts: Option<&[f64]>) -> String {
+    let mut text = String::new();
+    let mut first = (0.0, 0.0);
+    let mut group = "";
+    for (index, (way, time)) in ways.iter().zip(times).enumerate() {
+        let count = counts.map_or(f64::NAN, |counts| counts[index]);
+        if way.group != group {
+            (group, first) = (way.group, (*time, count));
+            let _ = writeln!(text, "\n{group:<38}{:>10}{:>8}{:>15}{:>8}", "time", "", "instructions", "");
+        }
+        let ratios = (time / first.0, count / first.1);
+        let name = way.name;
+        let _ = writeln!(text, "  {name:<36}{time:>7.1} ns{:>7.2}×{count:>15.0}{:>7.2}×", ratios.0, ratios.1);
+    }
+    text.push('\n');
+    text
+}
+
+/// How many times faster this library is than a peer.
+pub(crate) fn ratio(ways: &[Way], times: &[f64], group: &str, peer: &str) -> f64 {
+    let time = |name: &str| {
+        let mut all = ways.iter().zip(times);
+        all.find(|(way, _)| way.group == group && way.name == name).map_or(f64::NAN, |(_, time)| *time)
+    };
+    time(peer) / time("this library")
+}
