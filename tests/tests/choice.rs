@@ -220,3 +220,39 @@ fn the_nearest_member_is_that_of_a_fine_search() {
         }
     }
 }
+
+#[test]
+fn joints_that_move_are_those_that_differ_among_members() {
+    let mut random = Sampler::new(46);
+    let arm = robots::LabArm;
+    let mut seen = [0; 2];
+    for round in 0..40 {
+        // The wrist centre on axis 1; now and then the tool upright on it, so that joint 6 alone makes up for joint 1.
+        let upright = round % 4 == 0;
+        let mut angle = || random.between(-PI, PI);
+        let turned = EulerZyx {
+            z: angle(),
+            y: if upright { 0.0 } else { angle() },
+            x: if upright { 0.0 } else { angle() },
+        };
+        let tool = turned.at([0.0; 3]).rotation.matrix().column(2) * 29.0;
+        let pose = turned.at([tool.x, tool.y, tool.z + 250.0]);
+        for family in arm.ik(&pose).iter().flat_map(Solution::families) {
+            if family.free() != 0 {
+                continue;
+            }
+            let members: Vec<_> = (0..40)
+                .filter_map(|i| {
+                    let slot = family.member(&arm, &pose, -3.0 + 0.15 * f64::from(i));
+                    slot.solution().map(|s| s.q)
+                })
+                .collect();
+            let moved =
+                |j: usize| members.iter().any(|q| tests::score::wrap(q[j] - members[0][j]).abs() > 1e-6);
+            let differ: Vec<usize> = (0..6).filter(|&j| moved(j)).collect();
+            assert_eq!(family.moving().iter().collect::<Vec<_>>(), differ, "{round}");
+            seen[usize::from(upright)] += 1;
+        }
+    }
+    assert!(seen[0] > 50 && seen[1] > 10, "{seen:?}");
+}

@@ -44,16 +44,29 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
     let placements = base.place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
     let task = Task { arm, target, hold };
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
-    for posture in ArmPosture::ALL {
-        let [noflip, flip] = match posture.of(&placements) {
-            Ok(placed) => task.bend(*posture, placed),
-            Err(reason) => [Slot::Empty(*reason); 2],
+    for (count, posture) in ArmPosture::ALL.iter().enumerate() {
+        let placement = posture.of(&placements);
+        let mut earlier = ArmPosture::ALL.iter().take(count);
+        let [noflip, flip] = match (placement, earlier.find(|earlier| earlier.of(&placements) == placement)) {
+            (Err(reason), _) => [Slot::Empty(*reason); 2],
+            (Ok(_), Some(same)) => {
+                [Bend::NoFlip, Bend::Flip].map(|bend| once_more(&solutions, same.with(bend)))
+            }
+            (Ok(placed), None) => task.bend(*posture, placed),
         };
         solutions.put(posture.with(Bend::NoFlip), noflip);
         solutions.put(posture.with(Bend::Flip), flip);
     }
     solutions.merge(base.reach());
     solutions
+}
+
+/// The slot of a branch that differs from an earlier one only by its name.
+fn once_more<T: Float>(solutions: &Solutions<T, 6, Posture>, earlier: Posture) -> Slot<T, 6, Posture> {
+    match *solutions.get(earlier) {
+        Slot::Solved(_) => Slot::Merged { with: earlier },
+        merged_or_empty => merged_or_empty,
+    }
 }
 
 /// What is asked of an arm: the pose, and row values for coordinates that it leaves free.
@@ -68,13 +81,11 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
     fn bend(&self, posture: ArmPosture, placed: &Placed<T>) -> [Slot<T, 6, Posture>; 2] {
         let (rows, wrist) = self.reached(placed);
         let wrist = self.decided(rows, wrist);
+        let shoulder = placed.shoulder_free.then(|| self.moving(rows, &wrist, 0));
+        let elbow = placed.elbow_free.then(|| self.moving(rows, &wrist, 1));
         let slot = |bend, wrist_rows, margin, line| {
             let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: Some(margin) };
-            let free = Free {
-                shoulder: placed.shoulder_free.then(|| self.moving(rows, 0)),
-                elbow: placed.elbow_free.then(|| self.moving(rows, 1)),
-                wrist: line,
-            };
+            let free = Free { shoulder, elbow, wrist: line };
             self.checked(posture.with(bend), joined(rows, wrist_rows), margins, free)
         };
         match wrist {
@@ -156,34 +167,49 @@ impl<T: Float, A: SolveWrist<6>> Task<'_, T, A> {
         SVector::from(self.arm.command([0.0, 0.0, 0.0, 1.0, 0.0, back]).map(|step: f64| step as i8))
     }
 
-    /// The joints that move when the free joint `of` does, told from three other members of the family.
-    fn moving(&self, rows: [T; 3], of: usize) -> JointSet {
-        let here = self.sample(rows);
+    /// The joints that move when the free joint `of` does, told from two other members of the family.
+    ///
+    /// Seen from frame 3 the tool then turns about the axis of that joint. If this is axis 4, 5 or 6 itself, the wrist's joint
+    /// of that axis alone makes up for it, or 4 and 6 share it where they coincide. Otherwise all three move, even if one of
+    /// them has its old value in a member.
+    fn moving(&self, rows: [T; 3], wrist: &Wrist<T>, of: usize) -> JointSet {
         let mut set = JointSet::EMPTY.with(of);
-        for step in [0.1, -0.1, 2.0] {
+        let Some(here) = any_way(wrist) else { return set };
+        let mut turned = JointSet::EMPTY;
+        for step in [0.1, 2.0] {
             let mut other = rows;
             if let Some(value) = other.get_mut(of) {
                 *value += T::lit(step);
             }
-            let (Some(here), Some(there)) = (here, self.sample(other)) else { continue };
-            for (joint, (a, b)) in pose::entries(&here).into_iter().zip(pose::entries(&there)).enumerate() {
-                if math::abs(math::wrap(a - b)) > T::lit(64.0) * math::sqrt(T::EPS) {
-                    set = set.with(joint);
-                }
+            let Some(there) = any_way(&self.wrist(other)) else { continue };
+            turned = different(turned, here, there);
+            let command = |rows, wrist| self.arm.command(joined(rows, wrist));
+            set = different(set, command(rows, here), command(other, there));
+        }
+        if turned.len() == 3 || (turned.len() == 2 && turned.contains(1)) {
+            for wrist in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+                set = different(set, self.arm.command(joined([0.0; 3], wrist)), [0.0; 6]);
             }
         }
         set
     }
+}
 
-    /// One of the joint vectors with the given first three row values, where the wrist can follow.
-    fn sample(&self, rows: [T; 3]) -> Option<Joints<T, 6>> {
-        let wrist = match self.wrist(rows) {
-            Wrist::Two { noflip, .. } => noflip,
-            Wrist::Family(family) => family.even(),
-            Wrist::OutOfReach { .. } => return None,
-        };
-        Some(given_out(self.arm.command(joined(rows, wrist)), &A::JOINTS))
+/// One of the ways of a wrist, if it has any.
+fn any_way<T: Float>(wrist: &Wrist<T>) -> Option<[T; 3]> {
+    match wrist {
+        Wrist::Two { noflip, .. } => Some(*noflip),
+        Wrist::Family(family) => Some(family.even()),
+        Wrist::OutOfReach { .. } => None,
     }
+}
+
+/// The set, and the joints whose angles differ by more than what a family's round-off makes of them.
+fn different<T: Float, const N: usize>(set: JointSet, a: [T; N], b: [T; N]) -> JointSet {
+    a.into_iter().zip(b).enumerate().fold(set, |set, (joint, (a, b))| {
+        let apart = math::abs(math::wrap(a - b)) > T::lit(64.0) * math::sqrt(T::EPS);
+        if apart { set.with(joint) } else { set }
+    })
 }
 
 fn joined<T>([t1, t2, t3]: [T; 3], [t4, t5, t6]: [T; 3]) -> [T; 6] {
