@@ -126,7 +126,8 @@ use crate::tokens::Tokens;
 /// - `check [0, 0, 0, 0, 0, 0] => (-69, 0, 112);` is a pose the arm must reach, in the header's units, base and tool
 ///   included. The compiler evaluates it; a wrong table does not compile. `zyx(α, β, γ)` adds the orientation
 ///   Rz(α) Ry(β) Rx(γ), and `within 1e-3` the tolerance with which the pose was printed.
-/// - `ik: spherical_wrist;` demands that family; otherwise it is recognised, or there is no `ik`.
+/// - `ik: spherical_wrist;` demands that family, `ik: spherical_shoulder;` the other, where the first three axes meet;
+///   otherwise it is recognised, or there is no `ik`.
 ///
 /// # What is generated
 ///

@@ -3,6 +3,8 @@
 //! After [`derive()`]: every program equals the declaration's own product of elementary transforms as a polynomial, and
 //! every constant in it is the double nearest to its exact value. The backends only print what stands here.
 
+mod shoulder;
+
 use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::{self, Frames, Stretch, Values};
 use crate::algebra::ring::{Poly, Ring};
@@ -11,8 +13,9 @@ use crate::chain::{Chain, Element, JointKind, LengthUnit, Motion, ParamKind};
 use crate::derive::jacobian::{self, Column};
 use crate::derive::pose::{self, TermPose};
 use crate::derive::wrist;
+use crate::family::spherical_shoulder::SphericalShoulder;
 use crate::family::spherical_wrist::SphericalWrist;
-use crate::family::{self, Inverse, position::Position};
+use crate::family::{self, Inverse, position::Position, wrist::Wrist};
 use crate::number::Real;
 use crate::program::{Mismatch, Program};
 use crate::quantity::{Linear, Quantity};
@@ -58,6 +61,8 @@ pub struct Forward {
 pub enum Solver {
     /// For a pose.
     Pose(Box<PoseSolver>),
+    /// For a pose, by a spherical shoulder.
+    Shoulder(Box<ShoulderSolver>),
     /// For a position.
     Position(Box<PositionSolver>),
     /// None, and why not.
@@ -88,6 +93,19 @@ pub struct PoseSolver {
     pub r36_meaning: M3<Poly>,
     /// The wrist centre in the base frame, as a function of the row values of joints 1 to 3.
     pub centre_meaning: V3<Poly>,
+}
+
+/// What the spherical-shoulder solver calls.
+#[derive(Clone, Debug)]
+pub struct ShoulderSolver {
+    /// The recognised geometry.
+    pub geometry: SphericalShoulder,
+    /// The centre of the shoulder, seen from the tool of a given pose, in the frame of the geometry's base.
+    pub shoulder_centre: Program,
+    /// The rotation from the first row's frame to frame 3 of a given pose, from the row values of joints 4 to 6.
+    pub shoulder_rotation: Program,
+    /// The matrix from which the angles of the shoulder are read, from that rotation.
+    pub shoulder_matrix: Program,
 }
 
 /// What the position solver calls.
@@ -140,6 +158,7 @@ pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
     let forward = work.forward()?;
     let solver = match inverse {
         Inverse::Pose(geometry) => Solver::Pose(Box::new(work.pose_solver(*geometry)?)),
+        Inverse::Shoulder(geometry) => Solver::Shoulder(Box::new(work.shoulder_solver(*geometry)?)),
         Inverse::Position(geometry) => Solver::Position(Box::new(work.position_solver(*geometry)?)),
         Inverse::None { reason, culprit } => Solver::None { reason, culprit },
     };
@@ -330,13 +349,7 @@ impl Work<'_> {
         self.exprs.roll_back(start);
 
         let wrist_centre = self.point_program("wrist_centre", &geometry.centre_in_tool, &geometry.base)?;
-
-        let derived = wrist::framed(&mut self.exprs, &geometry.wrist.before, &geometry.wrist.after);
-        let ring = &mut self.exprs.ring;
-        let left = vector::product(ring, &vector::transpose(&geometry.wrist.before), &given);
-        let truth = vector::product(ring, &left, &geometry.wrist.after);
-        let wrist_matrix = self.program("wrist_matrix", &matrix_outputs(&derived), &flat(&truth))?;
-        self.exprs.roll_back(start);
+        let wrist_matrix = self.matrix_program("wrist_matrix", &geometry.wrist)?;
 
         Ok(PoseSolver {
             geometry,
@@ -372,9 +385,20 @@ impl Work<'_> {
         let point = vector::add(ring, &position, &offset);
         let from_origin = vector::sub(ring, &point, &base.origin);
         let truth = vector::apply(ring, &vector::transpose(&base.axes), &from_origin);
-        let outputs: Vec<_> =
-            ["x", "y", "z"].iter().zip(derived).map(|(n, t)| ((*n).to_owned(), t)).collect();
-        let program = self.program(name, &outputs, &truth)?;
+        let program = self.program(name, &coordinates(derived), &truth)?;
+        self.exprs.roll_back(start);
+        Ok(program)
+    }
+
+    /// The matrix from which the angles of three axes through one point are read, from a given rotation.
+    fn matrix_program(&mut self, name: &'static str, wrist: &Wrist) -> Result<Program, Mismatch> {
+        let start = self.exprs.mark();
+        let derived = wrist::framed(&mut self.exprs, &wrist.before, &wrist.after);
+        let given = self.given_rotation();
+        let ring = &mut self.exprs.ring;
+        let left = vector::product(ring, &vector::transpose(&wrist.before), &given);
+        let truth = vector::product(ring, &left, &wrist.after);
+        let program = self.program(name, &matrix_outputs(&derived), &flat(&truth))?;
         self.exprs.roll_back(start);
         Ok(program)
     }
@@ -400,6 +424,11 @@ fn rotation_outputs(m: &M3<Term>) -> Vec<(String, Term)> {
 /// `m11` … `m33`: what is made from a given rotation, whose own entries are `r11` … `r33`.
 fn matrix_outputs(m: &M3<Term>) -> Vec<(String, Term)> {
     flat(m).into_iter().enumerate().map(|(i, term)| (format!("m{}{}", i / 3 + 1, i % 3 + 1), term)).collect()
+}
+
+/// `x`, `y`, `z`.
+fn coordinates(v: V3<Term>) -> Vec<(String, Term)> {
+    ["x", "y", "z"].iter().zip(v).map(|(name, term)| ((*name).to_owned(), term)).collect()
 }
 
 /// Σ|a| + |d| of all rows and the tool, plus prismatic travel (the larger limit).

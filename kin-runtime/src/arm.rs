@@ -123,8 +123,8 @@ pub trait SphericalWrist<const N: usize>: Arm<N> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no closed-form inverse kinematics from a pose",
     label = "no `ik` for this arm",
-    note = "`dh!` derives `ik` for arms of six joints whose last three axes meet and whose first three joints, of any \
-            kind, move that point through space; every arm has `fk` and `jacobian`"
+    note = "`dh!` derives `ik` for arms of six joints whose last, or first, three axes meet and whose other three \
+            joints, of any kind, move that point through space; every arm has `fk` and `jacobian`"
 )]
 pub trait InverseKinematics<const N: usize>: Arm<N> {
     /// The labels of the solution slots.

@@ -12,7 +12,7 @@ use crate::arm::Joint;
 use crate::limits::Limits;
 use crate::math::{self, Float};
 use crate::pose::{self, Joints};
-use crate::solutions::{Branch, JointSet, Move, Reason, Singularity, Slot, Solution, Solutions, Winding};
+use crate::solutions::{Branch, JointSet, Move, Reason, Slot, Solution, Solutions, Winding};
 
 /// How an arm's joint moves are compared.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +66,7 @@ pub(crate) fn offers<T: Float, const N: usize, B: Branch>(
 }
 
 /// A member of the solution's families that keeps the limits: that whose free joint is nearest to its value in `q`,
-/// looked for in the wrist's family first.
+/// looked for in the straight families first.
 fn member_inside<T: Float, const N: usize, B: Branch>(
     solve: &impl Holding<T, N, B>,
     joints: &[Joint; N],
@@ -74,9 +74,9 @@ fn member_inside<T: Float, const N: usize, B: Branch>(
     q: &Joints<T, N>,
     limits: &Limits<N>,
 ) -> Option<Solution<T, N, B>> {
-    let wrist = |family: &crate::Family<'_, T, N, B>| family.singularity() == Singularity::Wrist;
+    let straight = |family: &crate::Family<'_, T, N, B>| family.line().is_some();
     let families = || solution.families();
-    for family in families().filter(wrist).chain(families().filter(|family| !wrist(family))) {
+    for family in families().filter(straight).chain(families().filter(|family| !straight(family))) {
         let member = |value: T| family.resolved(&solve(&family.hold(value)));
         let wished = pose::entries(q).get(family.free()).copied();
         let value = wished.and_then(|wished| family.ranges_of(joints, limits, member).nearest(wished));

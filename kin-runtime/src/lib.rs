@@ -1,7 +1,7 @@
 //! Robot-arm kinematics that the compiler derives from the table on paper: no `std`, no allocation, no panic.
 //!
 //! Paste a Denavit-Hartenberg table into [`dh!`] and the type it declares has forward kinematics, the Jacobian and, where
-//! the last three axes meet, every inverse solution. This page is the tour; the grammar of the table is told at [`dh!`].
+//! the last or the first three axes meet, every inverse solution. This page is the tour; the grammar of the table is told at [`dh!`].
 //!
 //! # An arm
 //!
@@ -57,7 +57,8 @@
 //!
 //! # Every slot says what became of it
 //!
-//! [`Solutions`] has one [`Slot`] for each branch ([`Posture`]: shoulder, elbow, wrist), always in the same order: solved,
+//! [`Solutions`] has one [`Slot`] for each branch ([`Posture`]: shoulder, elbow, wrist; [`ShoulderPosture`] where the first
+//! three axes meet), always in the same order: solved,
 //! merged with another, or empty with its [`Reason`].
 //!
 //! ```
@@ -153,8 +154,8 @@ pub use nalgebra::{Matrix3, Point3};
 pub use pose::{Euler, EulerZyx, GimbalLock, Jacobian, Joints, Pose};
 pub use singularity::{Dexterity, dexterity, position_dexterity};
 pub use solutions::{
-    ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, JointSet, Margins, Posture, Ranges,
-    Reason, Shoulder, Singularity, Slot, Solution, Solutions, Winding, Windings,
+    ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, Hand, JointSet, Margins, Posture, Ranges,
+    Reason, Shoulder, ShoulderPosture, Singularity, Slot, Solution, Solutions, Winding, Windings,
 };
 pub use track::{Cause, Step, Track};
 pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, TrajectoryError};
@@ -162,9 +163,9 @@ pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, Trajec
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {
     pub use crate::{
-        Arm, ArmPosture, Bend, Branch, Elbow, Euler, EulerZyx, Family, Float, InverseKinematics, Jacobian,
-        Joints, Limits, Pose, PositionInverse, Posture, Real, Reason, Shoulder, Slot, Solution, Solutions,
-        SphericalWrist, Step, Winding, dh, joints,
+        Arm, ArmPosture, Bend, Branch, Elbow, Euler, EulerZyx, Family, Float, Hand, InverseKinematics,
+        Jacobian, Joints, Limits, Pose, PositionInverse, Posture, Real, Reason, Shoulder, ShoulderPosture,
+        Slot, Solution, Solutions, SphericalWrist, Step, Winding, dh, joints,
     };
     // Once more without their names: an arm that is itself called `Arm` hides the name, not the methods.
     pub use crate::{Arm as _, InverseKinematics as _, PositionInverse as _, SphericalWrist as _};

@@ -26,6 +26,22 @@ pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
     fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
 }
 
+/// What the solver of arms with a spherical shoulder asks of one.
+pub trait SolveShoulder<const N: usize>: Arm<N> {
+    /// The constants of joints 6, 5 and 4, seen from the tool.
+    fn base<T: Float>(&self) -> Base<T>;
+    /// The centre of the shoulder in the frame of that base.
+    fn shoulder_centre<T: Real>(&self, pose: &Pose<T>) -> [T; 3];
+    /// The rotation that the shoulder must produce once joints 4, 5 and 6 are set.
+    fn shoulder_rotation<T: Real>(&self, rows: [T; 3], pose: &Pose<T>) -> Matrix3<T>;
+    /// The row values of joints 1, 2 and 3 that produce a rotation.
+    fn shoulder_angles<T: Float>(&self, r03: &Matrix3<T>) -> Wrist<T>;
+    /// The commanded values of row values; without offsets, so that it takes differences too.
+    fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
+    /// The row values of commanded values: the inverse of `command`.
+    fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
+}
+
 /// What the solver of three-joint arms asks of an arm.
 pub trait SolvePosition<const N: usize>: Arm<N> {
     /// The constants of the three joints.

@@ -5,7 +5,7 @@
 
 use kin_gen::algebra::expr::Turn;
 use kin_gen::family::base::{Base as GenBase, Figure, Shape};
-use kin_gen::family::spherical_wrist::WristForm;
+use kin_gen::family::wrist::{Wrist as GenWrist, WristForm};
 use kin_gen::model::{Arm as Derived, PoseSolver, Solver};
 use kin_gen::program::{Op, Program, Value};
 use kin_gen::quantity::{Linear, Quantity};
@@ -23,10 +23,19 @@ pub struct Interpreted<const SLIDES: u8> {
 }
 
 impl<const SLIDES: u8> Interpreted<SLIDES> {
-    /// `None` if the arm has no inverse from a pose.
+    /// `None` if the arm has no spherical wrist.
     pub fn new(derived: Derived) -> Option<Self> {
+        matches!(derived.solver, Solver::Pose(_)).then(|| Interpreted::nominal(derived))
+    }
+
+    /// With the nominal values of its parameters.
+    pub(crate) fn nominal(derived: Derived) -> Self {
         let params = derived.params.iter().map(|p| p.nominal).collect();
-        matches!(derived.solver, Solver::Pose(_)).then_some(Interpreted { derived, params })
+        Interpreted { derived, params }
+    }
+
+    pub(crate) fn derived(&self) -> &Derived {
+        &self.derived
     }
 
     fn solver(&self) -> &PoseSolver {
@@ -36,7 +45,7 @@ impl<const SLIDES: u8> Interpreted<SLIDES> {
         }
     }
 
-    fn run<T: Real>(&self, program: &Program, joints: &[T], entries: &[T]) -> Vec<T> {
+    pub(crate) fn run<T: Real>(&self, program: &Program, joints: &[T], entries: &[T]) -> Vec<T> {
         interpret(program, joints, &self.params, entries)
     }
 
@@ -62,7 +71,7 @@ impl<const SLIDES: u8> Interpreted<SLIDES> {
         }
     }
 
-    fn base_of<T: Float>(&self, base: &GenBase) -> Base<T> {
+    pub(crate) fn base_of<T: Float>(&self, base: &GenBase) -> Base<T> {
         let [o1, o2, o3] = &base.offsets;
         let offset = [self.quantity(o1), self.quantity(o2), self.quantity(o3)];
         let reach = T::lit(self.reach());
@@ -90,6 +99,28 @@ impl<const SLIDES: u8> Interpreted<SLIDES> {
             Figure::Telescope { arm } => {
                 let arm = self.linear(arm);
                 Base::Telescope(TelescopeBase { a1, twist, lateral, arm, offset, reversed, reach })
+            }
+        }
+    }
+}
+
+impl<const SLIDES: u8> Interpreted<SLIDES> {
+    /// Three angles read from a rotation.
+    pub(crate) fn angles_of<T: Float>(
+        &self,
+        wrist: &GenWrist,
+        program: &Program,
+        rotation: &Matrix3<T>,
+    ) -> Wrist<T> {
+        let entries = [0, 1, 2].map(|i| [0, 1, 2].map(|j| rotation[(i, j)]));
+        let m = rows(&self.run(program, &[], entries.as_flattened()));
+        let [o4, o5, o6] = &wrist.offsets;
+        let offsets = [self.quantity(o4), self.quantity(o5), self.quantity(o6)];
+        match &wrist.form {
+            WristForm::Orthogonal => private::zyz(m, offsets, [false; 3]),
+            WristForm::Oblique(between) => {
+                let [k4, k5] = [0, 1].map(|k| between[k].map(|row| row.map(|x| T::lit(x.to_f64()))));
+                private::oblique(m, k4, k5, offsets, [false; 3])
             }
         }
     }
@@ -133,7 +164,7 @@ fn argument<T: Real>(turn: &Turn, joints: &[T], params: &[f64]) -> T {
     joints.chain(params).chain(constant).reduce(|a, b| a + b).unwrap_or_else(|| T::lit(0.0))
 }
 
-fn rows<T: Real>(values: &[T]) -> [[T; 3]; 3] {
+pub(crate) fn rows<T: Real>(values: &[T]) -> [[T; 3]; 3] {
     [0, 3, 6].map(|i| [values[i], values[i + 1], values[i + 2]])
 }
 
@@ -141,7 +172,7 @@ fn pose<T: Real>(values: &[T]) -> Pose<T> {
     private::pose(rows(values), [values[9], values[10], values[11]])
 }
 
-fn entries<T: Real>(pose: &Pose<T>) -> Vec<T> {
+pub(crate) fn entries<T: Real>(pose: &Pose<T>) -> Vec<T> {
     let (rotation, position) = private::entries(pose);
     rotation.into_iter().flatten().chain(position).collect()
 }
@@ -205,18 +236,8 @@ impl<const SLIDES: u8> SphericalWrist<6> for Interpreted<SLIDES> {
     }
 
     fn wrist_angles<T: Float>(&self, r36: &Matrix3<T>) -> Wrist<T> {
-        let wrist = &self.solver().geometry.wrist;
-        let entries = [0, 1, 2].map(|i| [0, 1, 2].map(|j| r36[(i, j)]));
-        let m = rows(&self.run(&self.solver().wrist_matrix, &[], entries.as_flattened()));
-        let [o4, o5, o6] = &wrist.offsets;
-        let offsets = [self.quantity(o4), self.quantity(o5), self.quantity(o6)];
-        match &wrist.form {
-            WristForm::Orthogonal => private::zyz(m, offsets, [false; 3]),
-            WristForm::Oblique(between) => {
-                let [k4, k5] = [0, 1].map(|k| between[k].map(|row| row.map(|x| T::lit(x.to_f64()))));
-                private::oblique(m, k4, k5, offsets, [false; 3])
-            }
-        }
+        let solver = self.solver();
+        self.angles_of(&solver.geometry.wrist, &solver.wrist_matrix, r36)
     }
 }
 
@@ -243,7 +264,7 @@ impl<const SLIDES: u8> private::SolveWrist<6> for Interpreted<SLIDES> {
     }
 }
 
-fn integer_map<T: Real>(matrix: &[Vec<i64>], v: [T; 6]) -> [T; 6] {
+pub(crate) fn integer_map<T: Real>(matrix: &[Vec<i64>], v: [T; 6]) -> [T; 6] {
     std::array::from_fn(|i| {
         let terms = matrix[i].iter().zip(v).filter(|(c, _)| **c != 0).map(|(c, x)| T::lit(*c as f64) * x);
         terms.reduce(|a, b| a + b).unwrap_or_else(|| T::lit(0.0))

@@ -18,6 +18,7 @@ pub mod dual;
 pub mod expression;
 pub mod interpreted;
 pub mod mathml;
+pub mod mirrored;
 pub mod motion;
 pub mod polynomial;
 pub mod pose;

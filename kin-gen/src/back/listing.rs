@@ -36,6 +36,9 @@ pub fn programs(arm: &Arm) -> Vec<&Program> {
         Solver::Pose(s) => {
             programs.extend([&s.r36, &s.r03, &s.wrist_centre, &s.wrist_rotation, &s.wrist_matrix])
         }
+        Solver::Shoulder(s) => {
+            programs.extend([&s.shoulder_centre, &s.shoulder_rotation, &s.shoulder_matrix])
+        }
         Solver::Position(s) => programs.push(&s.tool_point),
         Solver::None { .. } => {}
     }

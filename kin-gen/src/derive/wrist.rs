@@ -114,6 +114,41 @@ pub fn rotation_of_pose(exprs: &mut Exprs, frames: &Frames, before: &M3<Poly>, a
     vector::from_columns(&columns[0], &columns[1], &columns[2])
 }
 
+/// A point fixed in the world as the given pose sees it, in the frame with orientation `axes` and `origin` in that pose.
+pub fn point_seen_from_pose(
+    exprs: &mut Exprs,
+    point: &V3<Poly>,
+    axes: &M3<Poly>,
+    origin: &V3<Poly>,
+) -> V3<Term> {
+    let (rotation, position) = given(exprs);
+    let point = constants(exprs, point);
+    let axes = vector::transpose(&constant_matrix(exprs, axes));
+    let origin = constants(exprs, origin);
+    let from_tool = vector::sub(exprs, &point, &position);
+    let seen = vector::apply(exprs, &vector::transpose(&rotation), &from_tool);
+    let from_origin = vector::sub(exprs, &seen, &origin);
+    vector::apply(exprs, &axes, &from_origin)
+}
+
+/// ⁰R₃ = Bᵀ·R·Q·³R₆ᵀ of a given rotation R: its rows, down through the frames of the last three joints.
+pub fn rotation_before(exprs: &mut Exprs, frames: &Frames, before: &M3<Poly>, after: &M3<Poly>) -> M3<Term> {
+    let wanted = framed(exprs, before, after);
+    let mut d = Deriver::new(exprs, frames, Style::Descend);
+    [0, 1, 2].map(|i| {
+        let mut v = vector::apply(d.exprs, &frames.tip.local, &wanted[i]);
+        for (index, group) in frames.groups.iter().enumerate().rev() {
+            v = d.turn(index, group.stages.len() - 1, &v);
+            v = vector::apply(d.exprs, &group.from_previous, &v);
+            let seen_from = group.stages.first().map_or(0, |s| s.joint);
+            for (column, term) in v.iter().enumerate() {
+                d.exprs.label(*term, || format!("m{}{}_{seen_from}", i + 1, column + 1));
+            }
+        }
+        v
+    })
+}
+
 /// Fᵀ·R·G of a given rotation.
 pub fn framed(exprs: &mut Exprs, before: &M3<Poly>, after: &M3<Poly>) -> M3<Term> {
     let (rotation, _) = given(exprs);

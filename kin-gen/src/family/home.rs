@@ -26,6 +26,14 @@ pub struct Line {
     pub offset: Linear,
 }
 
+impl Line {
+    /// The axis about which the joint turns, or along which it slides, what lies before it: the same line, seen from behind.
+    fn reversed(&self) -> Line {
+        let (direction, numbers) = (self.direction.clone().map(|d| d.neg()), self.numbers.map(|d| -d));
+        Line { direction, numbers, ..self.clone() }
+    }
+}
+
 /// The arm at home.
 pub struct Home<'a> {
     /// The declaration.
@@ -73,6 +81,19 @@ impl<'a> Home<'a> {
             base,
             reach: chain.reach().to_real(),
         })
+    }
+
+    /// The same arm seen from its tool: the last joint comes first, each moves the other way, and the tool's frame is where
+    /// the arm stands. What the frames and the tip were is not to be asked there.
+    pub fn seen_from_tool<R>(&mut self, look: impl FnOnce(&mut Home<'a>) -> R) -> R {
+        let rotation = vector::transpose(&self.tip.rotation);
+        let position = vector::apply(&mut self.ring, &rotation, &self.tip.position).map(|p| p.neg());
+        let reversed = self.axes.iter().rev().map(Line::reversed).collect();
+        let axes = std::mem::replace(&mut self.axes, reversed);
+        let base = std::mem::replace(&mut self.base, RawPose { rotation, position });
+        let seen = look(self);
+        (self.axes, self.base) = (axes, base);
+        seen
     }
 
     /// Every direction must be the same for all values of the parameters.

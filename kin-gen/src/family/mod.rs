@@ -14,7 +14,9 @@ pub mod base;
 pub mod general;
 pub mod home;
 pub mod position;
+pub mod spherical_shoulder;
 pub mod spherical_wrist;
+pub mod wrist;
 
 use crate::algebra::ring::Ring;
 use crate::chain::Chain;
@@ -26,6 +28,8 @@ use home::Home;
 pub enum Inverse {
     /// A pose, by a spherical wrist on a three-joint base.
     Pose(Box<spherical_wrist::SphericalWrist>),
+    /// A pose, by a spherical shoulder under three joints of any kind.
+    Shoulder(Box<spherical_shoulder::SphericalShoulder>),
     /// A position, by a three-joint arm.
     Position(Box<position::Position>),
     /// Nothing, and why.
@@ -63,8 +67,9 @@ pub struct Family {
 }
 
 /// All families, most specific first.
-pub const ALL: [Family; 2] = [
+pub const ALL: [Family; 3] = [
     Family { name: "spherical_wrist", joints: 6, recognise: spherical_wrist::recognise },
+    Family { name: "spherical_shoulder", joints: 6, recognise: spherical_shoulder::recognise },
     Family { name: "position", joints: 3, recognise: position::recognise },
 ];
 
@@ -78,25 +83,37 @@ pub fn recognise(chain: &Chain, symbols: &Symbols, ring: Ring, outers: &Outers) 
         Some(name) => f.name == name,
         None => f.joints == joints,
     });
-    let mut last = Refusal::new(format!(
+    let mut refusals = Vec::new();
+    let other = Refusal::new(format!(
         "inverse kinematics is derived for arms with six joints (a pose) or three (a position), this one has {joints}"
     ));
     for family in candidates {
         if family.joints != joints {
-            last = Refusal::new(format!(
+            refusals.push(Refusal::new(format!(
                 "the family {} has {} joints, this arm has {joints}",
                 family.name, family.joints
-            ));
+            )));
             continue;
         }
         let Some(mut home) = Home::new(chain, symbols, ring.clone(), outers) else {
-            last = Refusal::new("the exact geometry is too large to be represented");
-            continue;
+            refusals.push(Refusal::new("the exact geometry is too large to be represented"));
+            break;
         };
         match (family.recognise)(&mut home) {
             Ok(inverse) => return (inverse, home.ring),
-            Err(refusal) => last = refusal,
+            Err(refusal) => refusals.push(refusal),
         }
     }
-    (Inverse::None { reason: last.reason, culprit: last.culprit }, ring)
+    let Refusal { reason, culprit } = together(refusals).unwrap_or(other);
+    (Inverse::None { reason, culprit }, ring)
+}
+
+/// All refusals in one sentence, each once. The culprit is that of the most specific family: the arm was meant to be one.
+fn together(refusals: Vec<Refusal>) -> Option<Refusal> {
+    refusals.into_iter().reduce(|mut all, next| {
+        if !all.reason.contains(&next.reason) {
+            all.reason = format!("{}; {}", all.reason, next.reason);
+        }
+        all
+    })
 }

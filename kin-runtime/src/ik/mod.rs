@@ -5,6 +5,7 @@
 //!   [`quartic`] for its roots.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * [`spherical_wrist`]: both together, for six-joint arms.
+//! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
 //!
@@ -29,6 +30,8 @@ pub mod position;
 pub mod quartic;
 pub(crate) mod settle;
 mod sheaf;
+mod sphere;
+pub mod spherical_shoulder;
 pub mod spherical_wrist;
 pub mod target;
 pub mod wrist;

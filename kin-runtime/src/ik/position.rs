@@ -5,7 +5,9 @@ use crate::ik::{finite, given_out, sliding};
 use crate::math::Float;
 use crate::pose::{self, Joints};
 use crate::private::SolvePosition;
-use crate::solutions::{ArmPosture, Branch, Free, JointSet, Margins, Reason, Slot, Solution, Solutions};
+use crate::solutions::{
+    ArmPosture, Branch, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions,
+};
 use nalgebra::Point3;
 
 /// All solutions; a free joint takes the value 0.
@@ -43,8 +45,8 @@ fn solve_choosing<T: Float, A: SolvePosition<3>>(
             Ok(placed) => {
                 let q = given_out(arm.command(placed.rows), &A::JOINTS);
                 let free = Free {
-                    shoulder: placed.shoulder_free.then(|| JointSet::EMPTY.with(0)),
-                    elbow: placed.elbow_free.then(|| JointSet::EMPTY.with(1)),
+                    shoulder: placed.shoulder_free.then(|| alone(0)),
+                    elbow: placed.elbow_free.then(|| alone(1)),
                     wrist: None,
                 };
                 let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
@@ -59,4 +61,9 @@ fn solve_choosing<T: Float, A: SolvePosition<3>>(
     }
     solutions.merge(base.reach());
     solutions
+}
+
+/// A joint that no other follows.
+fn alone(joint: u8) -> Loose<3> {
+    Loose::Follow { joint, moving: JointSet::EMPTY.with(usize::from(joint)) }
 }

@@ -11,6 +11,10 @@ pub trait Branch: Copy + PartialEq + fmt::Debug + fmt::Display + 'static {
     /// All branches, in the order of the slots.
     const ALL: &'static [Self];
 
+    /// Whether the arm is solved from its tool, as one with a spherical shoulder is: then the shoulder's
+    /// [margin](crate::Margins) is an angle and the wrist's a length.
+    const MIRRORED: bool = false;
+
     /// One value for each branch, made in the order of the slots.
     fn slots<X>(make: impl FnMut(Self) -> X) -> Self::Slots<X>;
 
@@ -81,7 +85,7 @@ impl ArmPosture {
     }
 
     /// The one of four values, in the order of the slots, that belongs to this branch.
-    fn pick<X>(self, [ru, rd, lu, ld]: [X; 4]) -> X {
+    pub(super) fn pick<X>(self, [ru, rd, lu, ld]: [X; 4]) -> X {
         match (self.shoulder, self.elbow) {
             (Shoulder::Right, Elbow::Up) => ru,
             (Shoulder::Right, Elbow::Down) => rd,

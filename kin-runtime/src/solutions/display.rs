@@ -1,6 +1,6 @@
 //! The sentences: those that the program of seed 000 prints (its sections 5 and 6), each followed by our numbers.
 
-use super::{Boundary, Branch, Constraint, Family, JointSet, Reason, Singularity, Slot, Solution, Solutions};
+use super::{Boundary, Branch, Constraint, Family, JointSet, Reason, Slot, Solution, Solutions};
 use crate::math::{self, Float};
 use crate::pose::{self, plain};
 use core::fmt;
@@ -28,6 +28,8 @@ impl fmt::Display for Boundary {
             Boundary::InnerCircle => "the inner circle",
             Boundary::Envelope => "the surface that the arm reaches",
             Boundary::WristCone => "the cone of the wrist",
+            Boundary::HandCylinder => "the cylinder about axis 6",
+            Boundary::ShoulderCone => "the cone of the shoulder",
             Boundary::Reach => "the reach of the arm",
         })
     }
@@ -62,8 +64,8 @@ impl<T: Float> fmt::Display for Reason<T> {
                 write_amount(f, *by)?;
                 let side = match towards {
                     Boundary::OuterCircle | Boundary::Reach => "beyond",
-                    Boundary::WristCone | Boundary::Envelope => "off",
-                    Boundary::Cylinder | Boundary::InnerCircle => "inside",
+                    Boundary::WristCone | Boundary::ShoulderCone | Boundary::Envelope => "off",
+                    Boundary::Cylinder | Boundary::HandCylinder | Boundary::InnerCircle => "inside",
                 };
                 write!(f, " {side} {towards}")
             }
@@ -114,25 +116,18 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
     /// The warning that the program of seed 000 shows for this singularity.
     fn warn(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "SINGULARITY: There are infinite solutions for the value of {}. ", self.moving())?;
-        match self.singularity() {
-            Singularity::Wrist => f.write_str("These angles will then assume symmetrical values."),
-            Singularity::Shoulder | Singularity::Elbow => {
-                let [q] = self.solution().q.data.0;
-                let value = q.get(self.free()).copied().unwrap_or(T::lit(0.0));
-                write!(
-                    f,
-                    "By default, theta{} will assume the value {:.4}.",
-                    self.free() + 1,
-                    plain(value, 4)
-                )?;
-                let followers = self.followers();
-                if followers.is_empty() {
-                    return Ok(());
-                }
-                write!(f, " The value of {followers} must take into account other angles, ")?;
-                f.write_str("and will be defined accordingly.")
-            }
+        if self.line().is_some() {
+            return f.write_str("These angles will then assume symmetrical values.");
         }
+        let [q] = self.solution().q.data.0;
+        let value = q.get(self.free()).copied().unwrap_or(T::lit(0.0));
+        write!(f, "By default, theta{} will assume the value {:.4}.", self.free() + 1, plain(value, 4))?;
+        let followers = self.followers();
+        if followers.is_empty() {
+            return Ok(());
+        }
+        write!(f, " The value of {followers} must take into account other angles, ")?;
+        f.write_str("and will be defined accordingly.")
     }
 }
 

@@ -11,24 +11,39 @@ use nalgebra::{Point3, SVector};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Singularity {
-    /// The wrist centre lies on axis 1: joint 1 is free, the wrist follows.
+    /// The wrist centre lies on axis 1: joint 1 is free, the wrist follows. Of a spherical shoulder: axes 1 and 3
+    /// coincide, only the sum or the difference of their angles is known.
     Shoulder,
-    /// The wrist centre lies on axis 2, the arm folded onto it: joint 2 is free, the wrist follows.
+    /// The wrist centre lies on axis 2, the arm folded onto it: joint 2 is free, the wrist follows. With a spherical shoulder:
+    /// its centre lies on axis 5, joint 5 is free, the shoulder follows.
     Elbow,
-    /// Axes 4 and 6 coincide: only the sum or the difference of their angles is known.
+    /// Axes 4 and 6 coincide: only the sum or the difference of their angles is known. With a spherical shoulder: its centre
+    /// lies on axis 6, joint 6 is free, the shoulder follows.
     Wrist,
+}
+
+/// How a collapsed figure lets the joints move without moving the tool.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) enum Loose<const N: usize> {
+    /// One joint may take any value.
+    Follow {
+        /// That joint.
+        joint: u8,
+        /// It and those that move with it.
+        moving: JointSet,
+    },
+    /// The joint vector may go in a direction of whole numbers.
+    Line(SVector<i8, N>),
 }
 
 /// What the pose leaves free, as a solution stores it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Free<const N: usize> {
-    /// Joint 1 is free; the joints that move with it.
-    pub(crate) shoulder: Option<JointSet>,
-    /// Joint 2 is free; the joints that move with it.
-    pub(crate) elbow: Option<JointSet>,
-    /// Joints 4 and 6 are free; the direction, in whole numbers, in which the joint vector may go.
-    pub(crate) wrist: Option<SVector<i8, N>>,
+    pub(crate) shoulder: Option<Loose<N>>,
+    pub(crate) elbow: Option<Loose<N>>,
+    pub(crate) wrist: Option<Loose<N>>,
 }
 
 impl<const N: usize> Free<N> {
@@ -60,15 +75,16 @@ pub enum Constraint<T, const N: usize> {
 pub struct Family<'a, T, const N: usize, B> {
     solution: &'a Solution<T, N, B>,
     singularity: Singularity,
+    loose: Loose<N>,
 }
 
 impl<T: Float, const N: usize, B: Branch> Solution<T, N, B> {
     /// The families it belongs to: none for an isolated solution; several where singularities come together.
     pub fn families(&self) -> impl Iterator<Item = Family<'_, T, N, B>> {
-        let of = |singularity| Family { solution: self, singularity };
-        let shoulder = self.free.shoulder.map(|_| of(Singularity::Shoulder));
-        let elbow = self.free.elbow.map(|_| of(Singularity::Elbow));
-        let wrist = self.free.wrist.map(|_| of(Singularity::Wrist));
+        let of = |singularity, loose| Family { solution: self, singularity, loose };
+        let shoulder = self.free.shoulder.map(|loose| of(Singularity::Shoulder, loose));
+        let elbow = self.free.elbow.map(|loose| of(Singularity::Elbow, loose));
+        let wrist = self.free.wrist.map(|loose| of(Singularity::Wrist, loose));
         iter::empty().chain(shoulder).chain(elbow).chain(wrist)
     }
 
@@ -96,40 +112,35 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
 
     /// The joint, counted from 0, whose value the caller may choose.
     pub fn free(&self) -> usize {
-        match self.singularity {
-            Singularity::Shoulder => 0,
-            Singularity::Elbow => 1,
-            Singularity::Wrist => self.moving().iter().next().unwrap_or(3),
+        match self.loose {
+            Loose::Follow { joint, .. } => usize::from(joint),
+            Loose::Line(_) => self.moving().iter().next().unwrap_or(0),
         }
     }
 
     /// The joints that are not the same in all members, the free one among them.
     pub fn moving(&self) -> JointSet {
-        let free = &self.solution.free;
-        match self.singularity {
-            Singularity::Shoulder => free.shoulder.unwrap_or_default(),
-            Singularity::Elbow => free.elbow.unwrap_or_default(),
-            Singularity::Wrist => {
-                let line = self.line();
-                line.iter()
-                    .enumerate()
-                    .filter(|(_, step)| **step != 0)
-                    .fold(JointSet::EMPTY, |set, (j, _)| set.with(j))
+        match self.loose {
+            Loose::Follow { moving, .. } => moving,
+            Loose::Line(line) => {
+                let steps = line.iter().enumerate().filter(|(_, step)| **step != 0);
+                steps.fold(JointSet::EMPTY, |set, (joint, _)| set.with(joint))
             }
         }
     }
 
-    /// The direction of a straight family; zero for the others.
-    pub(super) fn line(&self) -> SVector<i8, N> {
-        self.solution.free.wrist.unwrap_or_else(|| pose::column([0_i8; N]))
+    /// The direction of a straight family.
+    pub(crate) fn line(&self) -> Option<SVector<i8, N>> {
+        match self.loose {
+            Loose::Follow { .. } => None,
+            Loose::Line(line) => Some(line),
+        }
     }
 
     /// What holds between the joints of all members.
     pub fn constraint(&self) -> Constraint<T, N> {
-        if self.singularity != Singularity::Wrist {
-            return Constraint::Follow;
-        }
-        let [line] = self.line().data.0;
+        let Some(direction) = self.line() else { return Constraint::Follow };
+        let [line] = direction.data.0;
         let [q] = self.solution.q.data.0;
         let mut moving = line.iter().zip(q).enumerate().filter(|(_, (step, _))| **step != 0);
         match (moving.next(), moving.next(), moving.next()) {
@@ -138,7 +149,7 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
                 let equals = math::wrap(if difference { x - y } else { x + y });
                 Constraint::Sum { joints: [i, j], difference, equals }
             }
-            _ => Constraint::Line(self.line()),
+            _ => Constraint::Line(direction),
         }
     }
 
@@ -147,9 +158,9 @@ impl<'a, T: Float, const N: usize, B: Branch> Family<'a, T, N, B> {
         let chosen = self.free();
         let mut q = pose::entries(&self.solution.q);
         let Some(step) = q.get(chosen).map(|now| value - *now) else { return self.solution.q };
-        if self.singularity == Singularity::Wrist {
+        if let Some(direction) = self.line() {
             // The free joint comes first on the line, with a coefficient that `couple:` keeps at ±1 in practice.
-            let [line] = self.line().data.0;
+            let [line] = direction.data.0;
             let per_step = line.get(chosen).map_or(T::lit(1.0), |k| T::lit(f64::from(*k)));
             for (joint, k) in q.iter_mut().zip(line) {
                 *joint += T::lit(f64::from(k)) * (step / per_step);

@@ -1,6 +1,6 @@
 //! The members of a family: which of them keep limits, and which is nearest.
 
-use super::{Branch, Constraint, Family, Move, Ranges, Singularity, Slot, Solution};
+use super::{Branch, Constraint, Family, Move, Ranges, Slot, Solution};
 use crate::arm::{InverseKinematics, Joint, JointKind, PositionInverse};
 use crate::limits::{Limits, Standing};
 use crate::math::{self, Float};
@@ -18,7 +18,7 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
     /// The values of the free joint for which the member keeps the limits: `pose` is the one that the solution was found
     /// for. Of a solution with several families the other free joints keep their values.
     ///
-    /// For a wrist the ranges are exact: its joints move along a straight line. The members of a shoulder or an elbow
+    /// For a wrist, or a spherical shoulder, the ranges are exact: its joints move along a straight line. Other members
     /// are looked at one by one, 64 for each range of the free joint itself, and the edges between them found by
     /// halving: what is shorter than a 64th of that range may be missed, nothing that passes a limit at an edge is
     /// given out. Members count by their branch.
@@ -39,7 +39,7 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
 
     /// The member nearest to `q`: the one whose largest joint move is smallest, angles compared modulo 2π.
     ///
-    /// For a wrist this is exact. For a shoulder or an elbow it is the best of 64 members and of what a search between
+    /// For a wrist, or a spherical shoulder, this is exact. Else it is the best of 64 members and of what a search between
     /// the neighbours of the best finds.
     pub fn nearest<A>(&self, arm: &A, pose: &Pose<T>, q: &Joints<T, N>) -> Slot<T, N, B>
     where
@@ -58,10 +58,7 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
 
     /// How many units of each joint go with one of the free joint, if the family is a straight line of whole numbers.
     fn slopes(&self) -> Option<[T; N]> {
-        if self.singularity() != Singularity::Wrist {
-            return None;
-        }
-        let [line] = self.line().data.0;
+        let [line] = self.line()?.data.0;
         let unit = *line.get(self.free())?;
         matches!(unit, 1 | -1).then(|| line.map(|k| T::lit(f64::from(k) * f64::from(unit))))
     }

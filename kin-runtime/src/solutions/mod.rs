@@ -7,6 +7,7 @@ mod branch;
 mod display;
 mod family;
 mod members;
+mod mirrored;
 mod ranges;
 mod reason;
 #[cfg(feature = "serde")]
@@ -16,8 +17,9 @@ mod tests;
 mod windings;
 
 pub use branch::{ArmPosture, Bend, Branch, Elbow, Posture, Shoulder};
-pub(crate) use family::Free;
 pub use family::{Constraint, Family, Singularity};
+pub(crate) use family::{Free, Loose};
+pub use mirrored::{Hand, ShoulderPosture};
 pub use ranges::Ranges;
 pub use reason::{Boundary, Reason};
 pub use windings::{Winding, Windings};
@@ -53,6 +55,10 @@ pub struct Solution<T, const N: usize, B> {
 
 /// How far a solution is from each kind of singular pose, in the arm's own terms. The Jacobian loses a rank where, and
 /// only where, one of them is zero.
+///
+/// With a spherical shoulder they are those of the arm seen from its tool: `shoulder` is the angle of the shoulder's bend from
+/// where its three axes lie in one plane, and `wrist` the distance, a length, of the shoulder's centre from the plane through
+/// axis 6 in which both hands are one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Margins<T> {

@@ -18,11 +18,13 @@ pub enum Reason<T> {
     LeftHanded,
     /// The pose is too far away, or too near.
     OutOfReach {
-        /// The distance to the nearest point that this figure reaches: a length, or radians for [`Boundary::WristCone`].
+        /// The distance to the nearest point that this figure reaches: a length, or radians for [`Boundary::WristCone`] and
+        /// [`Boundary::ShoulderCone`].
         by: T,
         /// Which boundary lies between.
         towards: Boundary,
-        /// The value of the first joint, where that was found and only the rest fails.
+        /// The value of the first joint, where that was found and only the rest fails. With a spherical shoulder joint 6 is
+        /// found first, and nothing stands here.
         theta1: Option<T>,
     },
     /// A joint would leave its range.
@@ -45,9 +47,9 @@ pub enum Reason<T> {
 pub enum Boundary {
     /// The cylinder about axis 1 inside which the arm's lateral offset keeps the wrist centre from coming.
     Cylinder,
-    /// The circle of the stretched arm about axis 2.
+    /// The circle of the stretched arm about axis 2; about axis 5 with a spherical shoulder.
     OuterCircle,
-    /// The circle of the folded arm about axis 2, or of a slide at its nearest.
+    /// The circle of the folded arm about axis 2, or of a slide at its nearest; about axis 5 with a spherical shoulder.
     InnerCircle,
     /// The surface at which two ways of a [general base](crate::ik::general) meet and end. The distance that comes with it is
     /// to a point that is reached, near the nearest: an upper bound.
@@ -57,4 +59,9 @@ pub enum Boundary {
     Reach,
     /// The cone that an oblique wrist can point into, or must point out of.
     WristCone,
+    /// The cylinder about axis 6 inside which the lateral offset of the other joints keeps the centre of a spherical shoulder
+    /// from coming.
+    HandCylinder,
+    /// The cone that an oblique spherical shoulder can point into, or must point out of.
+    ShoulderCone,
 }

@@ -9,7 +9,7 @@ use crate::ik::target::distance;
 use crate::limits::Limits;
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
-use crate::solutions::{Reason, Solution, Winding};
+use crate::solutions::{Branch, Reason, Solution, Winding};
 
 /// Where the joints are, and by how much they came there.
 #[derive(Clone, Copy, Debug)]
@@ -166,7 +166,10 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         offers: &Offers<T, N, A::Branch>,
     ) -> Winding<T, N, A::Branch> {
         let (margins, reach) = (found.solution.margins, T::lit(self.arm.reach()));
-        let nearest = math::min(margins.wrist.unwrap_or(reach), margins.shoulder / reach);
+        let wrist = margins.wrist.unwrap_or(reach);
+        let (angle, length) =
+            if A::Branch::MIRRORED { (margins.shoulder, wrist) } else { (wrist, margins.shoulder) };
+        let nearest = math::min(angle, length / reach);
         if nearest > T::lit(64.0) * math::sqrt(T::EPS) {
             return found;
         }

@@ -6,7 +6,7 @@ use super::{Printer, line};
 use crate::back::infix::{self, Leaves};
 use crate::family::base::{Base, Figure, Shape, Stand};
 use crate::family::general::General;
-use crate::family::spherical_wrist::{Wrist, WristForm};
+use crate::family::wrist::{Wrist, WristForm};
 use crate::number::Real;
 use crate::program::Program;
 use crate::quantity::{Linear, Quantity};

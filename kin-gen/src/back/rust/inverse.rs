@@ -5,7 +5,9 @@ use std::fmt::Write;
 use super::method::{Given, Gives};
 use super::{ATTRIBUTES, Printer, line};
 use crate::back::infix::{self, Leaves};
-use crate::model::{PoseSolver, PositionSolver};
+use crate::family::wrist::Wrist;
+use crate::model::{PoseSolver, PositionSolver, ShoulderSolver};
+use crate::program::Program;
 
 /// A trait of the runtime through which an inverse is called.
 struct Entry {
@@ -28,10 +30,16 @@ impl Printer<'_> {
         self.method(text, what, &solver.r03, Given::Rows(0), Gives::MatrixAndPoint);
         let program = &solver.wrist_matrix;
         line!(text, "/// The last three row values from ³R₆, by look-up of its entries.");
-        let argument = self.arguments(Given::Rotation);
-        line!(text, "fn wrist_angles<T: {krate}::Float>(&self, {argument}) -> {krate}::Wrist<T> {{");
-        self.steps(text, program, Given::Rotation);
-        line!(text, "{}\n}}\n}}", self.wrist_value(&solver.geometry.wrist, program));
+        self.angles(text, "wrist_angles", &solver.geometry.wrist, program, Given::Rotation("r36"));
+        line!(text, "}}");
+    }
+
+    /// The method that reads three angles from a rotation.
+    fn angles(&self, text: &mut String, name: &str, wrist: &Wrist, program: &Program, given: Given) {
+        let (krate, argument) = (self.krate, self.arguments(given));
+        line!(text, "fn {name}<T: {krate}::Float>(&self, {argument}) -> {krate}::Wrist<T> {{");
+        self.steps(text, program, given);
+        line!(text, "{}\n}}", self.wrist_value(wrist, program));
     }
 
     /// The inverse of an arm with a spherical wrist.
@@ -42,7 +50,7 @@ impl Printer<'_> {
         let what = "The wrist centre of a pose, in the shoulder frame";
         self.method(text, what, &solver.wrist_centre, Given::Pose, Gives::Coordinates);
         let what = "³R₆ of a pose, from the first three row values";
-        self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose, Gives::Matrix);
+        self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose(0), Gives::Matrix);
         self.command(text);
         line!(text, "}}");
         self.entry(
@@ -53,6 +61,33 @@ impl Printer<'_> {
                 method: "ik",
                 given: Given::Pose,
                 solver: "spherical_wrist",
+            },
+        );
+    }
+
+    /// The inverse of an arm with a spherical shoulder.
+    pub(super) fn shoulder_inverse(&self, text: &mut String, solver: &ShoulderSolver) {
+        let (name, krate, n) = (&self.arm.name, self.krate, self.count());
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::private::SolveShoulder<{n}> for {name} {{");
+        self.base(text, &solver.geometry.base);
+        let what =
+            "The centre of the shoulder as the tool of a pose sees it, in the frame of joints 6, 5 and 4";
+        self.method(text, what, &solver.shoulder_centre, Given::Pose, Gives::Coordinates);
+        let what = "⁰R₃ of a pose, from the last three row values";
+        self.method(text, what, &solver.shoulder_rotation, Given::RowsAndPose(3), Gives::Matrix);
+        let (shoulder, program) = (&solver.geometry.shoulder, &solver.shoulder_matrix);
+        line!(text, "/// The first three row values from ⁰R₃, by look-up of its entries.");
+        self.angles(text, "shoulder_angles", shoulder, program, Given::Rotation("r03"));
+        self.command(text);
+        line!(text, "}}");
+        self.entry(
+            text,
+            &Entry {
+                name: "InverseKinematics",
+                branch: "ShoulderPosture",
+                method: "ik",
+                given: Given::Pose,
+                solver: "spherical_shoulder",
             },
         );
     }

@@ -1,6 +1,7 @@
 //! Methods whose body is a program: what they are given, what they give back, and the steps between.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use super::{Printer, line};
 use crate::back::infix;
@@ -16,12 +17,12 @@ pub(super) enum Given {
     Rows(usize),
     /// A pose.
     Pose,
-    /// The row values of joints 1 to 3, and a pose.
-    RowsAndPose,
+    /// The row values of three joints, together, and a pose; the first of them, counted from 0.
+    RowsAndPose(usize),
     /// A point.
     Point,
-    /// ³R₆.
-    Rotation,
+    /// A rotation, by its name: `r36`.
+    Rotation(&'static str),
 }
 
 /// What a program's outputs are put into.
@@ -53,9 +54,9 @@ impl Printer<'_> {
                 (1..=3).map(|j| format!("q{}: T", first + j)).collect::<Vec<_>>().join(", ")
             }
             Given::Pose => format!("pose: &{krate}::Pose<T>"),
-            Given::RowsAndPose => format!("rows: [T; 3], pose: &{krate}::Pose<T>"),
+            Given::RowsAndPose(_) => format!("rows: [T; 3], pose: &{krate}::Pose<T>"),
             Given::Point => format!("point: &{krate}::Point3<T>"),
-            Given::Rotation => format!("r36: &{krate}::Matrix3<T>"),
+            Given::Rotation(name) => format!("{name}: &{krate}::Matrix3<T>"),
         }
     }
 
@@ -122,15 +123,12 @@ impl Printer<'_> {
         if used.is_empty() {
             return;
         }
-        let bind = |count: usize| {
-            let names =
-                (0..count).map(|j| if used.contains(&j) { format!("q{}", j + 1) } else { "_".to_owned() });
-            names.collect::<Vec<_>>().join(", ")
-        };
+        let name = |j: usize| if used.contains(&j) { format!("q{}", j + 1) } else { "_".to_owned() };
+        let bind = |joints: Range<usize>| joints.map(name).collect::<Vec<_>>().join(", ");
         match given {
-            Given::Joints => line!(text, "let [[{}]] = q.data.0;", bind(self.count())),
-            Given::RowsAndPose => line!(text, "let [{}] = rows;", bind(3)),
-            Given::Rows(_) | Given::Pose | Given::Point | Given::Rotation => {}
+            Given::Joints => line!(text, "let [[{}]] = q.data.0;", bind(0..self.count())),
+            Given::RowsAndPose(first) => line!(text, "let [{}] = rows;", bind(first..first + 3)),
+            Given::Rows(_) | Given::Pose | Given::Point | Given::Rotation(_) => {}
         }
     }
 
@@ -217,8 +215,8 @@ fn bind_entries(text: &mut String, program: &Program, given: Given) {
     let used = |e: usize| program.steps.iter().any(|s| s.op == Op::Entry(e));
     let entry = |e: usize| if used(e) { entry_name(e) } else { "_".to_owned() };
     let (rotation, position) = match given {
-        Given::Pose | Given::RowsAndPose => ("pose.rotation.matrix()", "pose.translation.vector"),
-        Given::Rotation => ("r36", ""),
+        Given::Pose | Given::RowsAndPose(_) => ("pose.rotation.matrix()", "pose.translation.vector"),
+        Given::Rotation(name) => (name, ""),
         Given::Point => ("", "point.coords"),
         Given::Joints | Given::Rows(_) => return,
     };

@@ -25,6 +25,7 @@ pub fn items(arm: &Arm, krate: &str) -> String {
             printer.wrist(&mut text, solver);
             printer.pose_inverse(&mut text, solver);
         }
+        Solver::Shoulder(solver) => printer.shoulder_inverse(&mut text, solver),
         Solver::Position(solver) => printer.position_inverse(&mut text, solver),
         Solver::None { reason, .. } => printer.no_inverse(&mut text, reason),
     }
@@ -112,7 +113,7 @@ impl Printer<'_> {
 
     fn dynamic(&self, text: &mut String) {
         let kind = match self.arm.solver {
-            Solver::Pose(_) => "pose",
+            Solver::Pose(_) | Solver::Shoulder(_) => "pose",
             Solver::Position(_) => "position",
             Solver::None { .. } => "plain",
         };

@@ -1,0 +1,520 @@
+//! Arms whose first three axes meet: declared ones in both precisions, with parameters, couplings, a base and a tool, and any
+//! others as the wrist arms that they are when seen from the tool.
+
+use std::f64::consts::PI;
+
+use kin_runtime::prelude::*;
+use kin_runtime::{Boundary, Constraint, DynOutcome, Singularity};
+use tests::interpreted::Interpreted;
+use tests::mirrored::Mirrored;
+use tests::sample::Sampler;
+
+dh! {
+    /// A shoulder like a ball, an elbow, and a hand of two axes.
+    pub struct Human(standard, m, deg);
+
+    param upper = 0.4; param fore = 0.35; param stretch = 0.1; param lean = 20deg;
+
+    | joint | theta  | d     | a    | alpha | limits      |
+    |-------|--------|-------|------|-------|-------------|
+    | J1    | q      | 0.3   | 0    | -90   | -170 .. 170 |
+    | J2    | q      | 0     | 0    | 90    |             |
+    | J3    | q + 90 | upper | 0    | -90   | -170 .. 170 |
+    | J4    | q      | 0     | fore | 0     |             |
+    | J5    | q      | 0.03  | 0    | 90    |             |
+    | J6    | q      | 0.08  | 0    | 0     |             |
+
+    base: Rx(lean) Tz(0.5);
+    tool: Tz(stretch) Ry(30);
+}
+
+dh! {
+    /// The upper arm as long as the forearm, so that it folds onto axis 5; an oblique shoulder; drives that reach across.
+    pub struct Folding(standard, mm, deg);
+
+    | joint | theta | d   | a   | alpha |
+    |-------|-------|-----|-----|-------|
+    | J1    | q     | 250 | 0   | -80   |
+    | J2    | q     | 0   | 0   | 75    |
+    | J3    | q     | 300 | 0   | 90    |
+    | J4    | q     | 0   | 300 | 0     |
+    | J5    | q     | 40  | 60  | 90    |
+    | J6    | q     | 70  | 20  | 30    |
+
+    couple: J2 += J1, J5 -= J4;
+}
+
+dh! {
+    /// Joints 4 to 6 are a general base, seen from the tool.
+    pub struct Twisted(standard, m, deg);
+
+    | joint | theta | d    | a    | alpha |
+    |-------|-------|------|------|-------|
+    | J1    | q     | 0.3  | 0    | -90   |
+    | J2    | q     | 0    | 0    | 90    |
+    | J3    | q     | 0.35 | 0.1  | -70   |
+    | J4    | q     | 0.1  | 0.3  | 80    |
+    | J5    | q     | 0.05 | 0.25 | -75   |
+    | J6    | q     | 0.1  | 0.1  | 20    |
+}
+
+dh! {
+    /// Joint 4 slides.
+    pub struct Crane(standard, m, deg);
+
+    | joint | theta | d       | a    | alpha |
+    |-------|-------|---------|------|-------|
+    | J1    | q     | 0.3     | 0    | -90   |
+    | J2    | q     | 0       | 0    | 90    |
+    | J3    | q     | 0.1     | 0.05 | 90    |
+    | J4    | 30    | q + 0.2 | 0    | 90    |
+    | J5    | q     | 0.1     | 0.15 | 90    |
+    | J6    | q     | 0.1     | 0    | 0     |
+}
+
+fn abs<T: Float>(x: T) -> T {
+    kin_runtime::math::abs(x)
+}
+
+fn wrapped<T: Float>(angle: T) -> T {
+    kin_runtime::math::wrap(angle)
+}
+
+/// The largest difference of two joint vectors, angles modulo a turn, slides over the reach.
+fn apart<T: Float, A: Arm<6>>(arm: &A, a: &Joints<T, 6>, b: &Joints<T, 6>) -> T {
+    let differences = (0..6).map(|i| match A::JOINTS[i].kind {
+        kin_runtime::JointKind::Revolute => wrapped(a[i] - b[i]),
+        kin_runtime::JointKind::Prismatic => (a[i] - b[i]) / T::lit(arm.reach()),
+    });
+    differences.fold(T::lit(0.0), |most, x| kin_runtime::math::max(most, kin_runtime::math::abs(x)))
+}
+
+fn joints<T: Float>(q: &Joints<f64, 6>) -> Joints<T, 6> {
+    Joints::from_fn(|i, _| T::lit(q[i]))
+}
+
+/// Joint values come back, each solution once and reaching the pose; what is near a singular set may move as round-off of the
+/// pose makes it, by no more than σ_min explains.
+fn comes_back<T: Float, A: InverseKinematics<6, Branch = ShoulderPosture>>(
+    arm: &A,
+    q: &Joints<f64, 6>,
+) -> usize {
+    let q = joints::<T>(q);
+    let pose = arm.fk(&q);
+    let solutions = arm.ik(&pose);
+    let sigma = kin_runtime::dexterity(arm, &q).margin;
+    let blurred = T::lit(1e3) * T::EPS / kin_runtime::math::max(sigma, T::EPS * T::EPS);
+    let allowed = kin_runtime::math::min(blurred, T::lit(1e2) * kin_runtime::math::sqrt(T::EPS));
+    // Beside a straight shoulder the pose tells no more of joints 1 and 3 than their sum, or their difference.
+    let but_for_the_shoulder = |s: &Joints<T, 6>| {
+        let mut s = *s;
+        let (one, three) = (wrapped(s[0] - q[0]), wrapped(s[2] - q[2]));
+        let (sum, difference) = (wrapped(one + three), wrapped(one - three));
+        (s[0], s[2]) = (q[0] + kin_runtime::math::min(abs(sum), abs(difference)), q[2]);
+        apart(arm, &s, &q)
+    };
+    let own = solutions.iter().any(|s| {
+        let off = apart(arm, &s.q, &q);
+        off <= allowed || (off <= blurred && but_for_the_shoulder(&s.q) <= allowed)
+    });
+    let of_a_family = || {
+        let held = arm.ik_holding(&pose, &q);
+        held.iter().any(|s| !s.is_isolated() && apart(arm, &s.q, &q) <= allowed)
+    };
+    assert!(own || of_a_family(), "{} lost {q:?}, σ {sigma:?}\n{solutions}", A::NAME);
+    let all: Vec<_> = solutions.iter().collect();
+    for (i, solution) in all.iter().enumerate() {
+        assert!(solution.residual <= T::lit(64.0) * T::EPS);
+        let tolerance = T::lit(6.7) * kin_runtime::math::sqrt(T::EPS);
+        assert!(all[..i].iter().all(|s| apart(arm, &s.q, &solution.q) > tolerance), "twice\n{solutions}");
+    }
+    all.len()
+}
+
+fn random_joints<A: Arm<6>>(random: &mut Sampler) -> Joints<f64, 6> {
+    let angles = random.angles::<6>();
+    Joints::from_fn(|i, _| match A::JOINTS[i].kind {
+        kin_runtime::JointKind::Revolute => angles[i],
+        kin_runtime::JointKind::Prismatic => random.between(-0.8, 0.8),
+    })
+}
+
+fn come_back<A: InverseKinematics<6, Branch = ShoulderPosture>>(arm: &A, seed: u64) {
+    let mut random = Sampler::new(seed);
+    let mut solutions = 0;
+    for _ in 0..400 {
+        let q = random_joints::<A>(&mut random);
+        solutions += comes_back::<f64, _>(arm, &q);
+        comes_back::<f32, _>(arm, &q);
+        // The shoulder straight, or folded back, but for ten to some power.
+        let mut near = q;
+        let off = 10f64.powf(-random.between(0.0, 18.0)) * [1.0, -1.0, 0.0][random.below(3)];
+        near[1] = [0.0, PI][random.below(2)] + off;
+        comes_back::<f64, _>(arm, &near);
+        comes_back::<f32, _>(arm, &near);
+    }
+    assert!(solutions >= 4 * 400 - 800, "{} has {solutions} solutions in 400 poses", A::NAME);
+}
+
+#[test]
+fn declared_arms_give_their_joints_back() {
+    come_back(&Human::NOMINAL, 1);
+    come_back(&Folding, 2);
+    come_back(&Twisted, 3);
+    come_back(&Crane, 4);
+}
+
+#[test]
+fn parameters_hold_for_every_value() {
+    let mut random = Sampler::new(5);
+    for _ in 0..100 {
+        let arm = Human {
+            upper: random.between(0.1, 1.0),
+            fore: random.between(0.1, 1.0),
+            stretch: random.between(-0.3, 0.3),
+            lean: random.between(-3.0, 3.0),
+        };
+        comes_back::<f64, _>(&arm, &random_joints::<Human>(&mut random));
+    }
+}
+
+#[test]
+fn a_straight_shoulder_is_a_family() {
+    let arm = Human::NOMINAL;
+    for (q2, difference) in [(0.0, false), (PI, true)] {
+        let q = joints![0.7, q2, 0.4, 0.9, -0.5, 0.3];
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        let solution = solutions.nearest(&q).expect("its own pose");
+        let singular = solutions.iter().find(|s| (s.q[3] - 0.9).abs() < 1e-9 && !s.is_isolated());
+        let family = singular.and_then(|s| s.family()).unwrap_or_else(|| panic!("{solution}\n{solutions}"));
+        assert_eq!((family.singularity(), family.free()), (Singularity::Shoulder, 0));
+        let Constraint::Sum { joints, difference: found, equals } = family.constraint() else { panic!() };
+        assert_eq!((joints, found), ([0, 2], difference));
+        let constant = if difference { 0.7 - 0.4 } else { 0.7 + 0.4 };
+        assert!(wrapped(equals - constant).abs() < 1e-14);
+        assert!(family.constraint().missed_by(&q) < 1e-14);
+        let sign = if difference { '-' } else { '+' };
+        assert_eq!(family.to_string(), format!("theta1 {sign} theta3 = {constant:.4}"));
+        // Shared evenly by convention, any member on demand, the nearest to the joints that were.
+        let half = if difference { -0.5 } else { 0.5 };
+        assert!((family.solution().q[2] - half * constant).abs() < 1e-14, "{family}");
+        let Slot::Solved(member) = family.member(&arm, &pose, 0.7) else { panic!() };
+        assert!((member.q - q).amax() < 1e-14);
+        let Slot::Solved(nearest) = family.nearest(&arm, &pose, &q) else { panic!() };
+        assert!((nearest.q - q).amax() < 1e-14);
+        // -170° ≤ θ1 ≤ 170° and the same of θ3, one the other less a constant.
+        let limit = 170f64.to_radians();
+        let ranges = family.ranges(&arm, &pose, &arm.limits());
+        for value in [-3.0, -2.8, -1.5, 0.0, 1.5, 2.8, 3.0] {
+            let other = wrapped(if difference { value - constant } else { constant - value });
+            assert_eq!(ranges.contains(value), value.abs() <= limit && other.abs() <= limit, "{value}");
+        }
+        let warning = "SINGULARITY: There are infinite solutions for the value of theta1 and theta3. These angles will then \
+                       assume symmetrical values.";
+        assert!(solutions.to_string().contains(warning), "{solutions}");
+        assert_eq!(family.solution().margins.shoulder, 0.0);
+    }
+}
+
+/// The joint values at which a function of them vanishes, by halving along one joint; `None` if it keeps its sign.
+fn vanishing(
+    mut q: Joints<f64, 6>,
+    joint: usize,
+    f: impl Fn(&Joints<f64, 6>) -> f64,
+) -> Option<Joints<f64, 6>> {
+    let at = |value: f64, q: &mut Joints<f64, 6>| {
+        q[joint] = value;
+        f(q)
+    };
+    let grid: Vec<f64> = (0..=60).map(|k| -PI + PI * f64::from(k) / 30.0).collect();
+    for ends in grid.windows(2) {
+        let (mut low, mut high) = (ends[0], ends[1]);
+        if at(low, &mut q) * at(high, &mut q) > 0.0 {
+            continue;
+        }
+        let sign = at(low, &mut q);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if at(middle, &mut q) * sign > 0.0 { low = middle } else { high = middle }
+        }
+        at(high, &mut q);
+        return Some(q);
+    }
+    None
+}
+
+#[test]
+fn a_shoulder_on_axis_6_leaves_joint_6_free() {
+    let arm = Human { fore: 0.35, ..Human::NOMINAL };
+    // Without the offset along axis 5 the centre can come onto axis 6.
+    let arm = Level { upper: arm.upper, fore: arm.fore };
+    let centre = Point3::new(0.0, 0.0, 0.3);
+    let off_axis = |q: &Joints<f64, 6>| {
+        let frames = arm.frames(q);
+        let (hand, arm) = (&frames[4], frames[4].inverse() * centre);
+        assert!(hand.translation.vector.iter().all(|x| x.is_finite()));
+        arm.x
+    };
+    let q = vanishing(joints![0.4, 0.8, -0.6, 1.1, 0.0, 0.5], 4, off_axis).expect("it crosses the axis");
+    let pose = arm.fk(&q);
+    let solutions = arm.ik(&pose);
+    let free: Vec<_> = solutions
+        .iter()
+        .flat_map(|s| s.families())
+        .filter(|family| family.singularity() == Singularity::Wrist)
+        .collect();
+    assert!(!free.is_empty(), "{solutions}");
+    for family in &free {
+        assert_eq!(family.free(), 5);
+        assert_eq!(family.solution().q[5], 0.0);
+        assert_eq!(family.solution().margins.wrist, Some(0.0));
+        assert!(family.to_string().starts_with("theta6 free, theta1"), "{family}");
+        for value in [-2.0, 0.3, 1.7] {
+            let Slot::Solved(member) = family.member(&arm, &pose, value) else { panic!("{solutions}") };
+            assert!((member.q[5] - value).abs() < 1e-15 && member.residual <= 16.0 * f64::EPSILON);
+        }
+    }
+    let held = arm.ik_holding(&pose, &q);
+    assert!(held.iter().any(|s| apart(&arm, &s.q, &q) < 1e-9), "{held}");
+    let warning = "for the value of theta1, theta2, theta3 and theta6. By default, theta6 will assume the value 0.0000.";
+    assert!(solutions.to_string().contains(warning), "{solutions}");
+}
+
+dh! {
+    /// As [`Human`], axes 5 and 6 and the shoulder in one plane.
+    pub struct Level(standard, m, deg);
+
+    param upper = 0.4; param fore = 0.35;
+
+    | joint | theta | d     | a    | alpha |
+    |-------|-------|-------|------|-------|
+    | J1    | q     | 0.3   | 0    | -90   |
+    | J2    | q     | 0     | 0    | 90    |
+    | J3    | q     | upper | 0    | -90   |
+    | J4    | q     | 0     | fore | 0     |
+    | J5    | q     | 0     | 0    | 90    |
+    | J6    | q     | 0.1   | 0    | 0     |
+}
+
+#[test]
+fn an_arm_folded_onto_axis_5_leaves_joint_5_free() {
+    // With equal links the shoulder comes onto axis 5 where joint 4 folds the forearm back.
+    let arm = Level { upper: 0.4, fore: 0.4 };
+    for q4 in [PI / 2.0, -PI / 2.0] {
+        let q = joints![0.4, 0.8, -0.6, q4, 0.7, 0.5];
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        let family =
+            solutions.iter().flat_map(|s| s.families()).find(|f| f.singularity() == Singularity::Elbow);
+        let Some(family) = family else { continue };
+        assert_eq!(family.free(), 4);
+        let held = arm.ik_holding(&pose, &q);
+        assert!(held.iter().any(|s| apart(&arm, &s.q, &q) < 1e-7), "{held}");
+        let Slot::Solved(member) = family.member(&arm, &pose, -1.0) else { panic!("{solutions}") };
+        assert!((member.q[4] + 1.0).abs() < 1e-15);
+        return;
+    }
+    panic!("neither side folds");
+}
+
+#[test]
+fn what_is_out_of_reach_says_towards_what() {
+    let arm = Human::NOMINAL;
+    let q = joints![0.4, 0.8, -0.6, 1.1, 0.2, 0.5];
+    let pose = arm.fk(&q);
+    let far = Pose::from_parts((pose.translation.vector * 5.0).into(), pose.rotation);
+    let solutions = arm.ik(&far);
+    assert!(solutions.is_empty());
+    for (branch, slot) in solutions.branches() {
+        let Slot::Empty(Reason::OutOfReach { by, towards, theta1: None }) = slot else { panic!("{branch}") };
+        assert!(*by > 0.5 && *towards == Boundary::OuterCircle);
+    }
+    assert!(solutions.to_string().contains("beyond the outer circle"));
+    // The hand's offset keeps the shoulder outside a cylinder about axis 6, and an oblique shoulder has a cone.
+    let (mut cylinder, mut cone) = (0, 0);
+    let mut random = Sampler::new(6);
+    for _ in 0..2_000 {
+        let turn = arm.fk(&Joints::from(random.angles::<6>())).rotation;
+        let along = turn * nalgebra::Vector3::new(0.0, 0.0, random.between(0.1, 0.6));
+        let near = Pose::from_parts(along.into(), turn);
+        let solutions = Folding.ik(&Pose::from_parts((near.translation.vector * 1e3).into(), turn));
+        for slot in solutions.slots() {
+            if let Slot::Empty(Reason::OutOfReach { by, towards, .. }) = slot {
+                assert!(*by > 0.0);
+                cylinder += usize::from(*towards == Boundary::HandCylinder);
+                cone += usize::from(*towards == Boundary::ShoulderCone);
+            }
+        }
+    }
+    assert!(cylinder > 0 && cone > 0, "{cylinder} {cone}");
+}
+
+#[test]
+fn limits_choice_and_paths_work_as_for_a_wrist() {
+    let arm = Human::NOMINAL;
+    let q = joints![0.4, 0.8, -0.6, 1.1, 0.2, 0.5];
+    let pose = arm.fk(&q);
+    let turned = q + joints![0.0, 2.0 * PI, 0.0, 0.0, 0.0, -2.0 * PI];
+    let near = arm.ik_near(&pose, &turned).expect("its own pose");
+    assert!((near.q - turned).amax() < 1e-13);
+    let reasons = arm.ik(&pose).within(&arm.limits());
+    for slot in reasons.slots() {
+        if let Slot::Empty(Reason::Limit { joint, by }) = slot {
+            assert!([0, 2].contains(joint) && *by > 0.0);
+        }
+    }
+    // Through the straight shoulder and on: no flip.
+    let path: Vec<_> = (0..=200)
+        .map(|k| f64::from(k) / 100.0 - 1.0)
+        .map(|t| arm.fk(&joints![0.4, 0.5 * t, -0.6, 1.1 + 0.1 * t, 0.2, 0.5]))
+        .collect();
+    let start = joints![0.4, -0.5, -0.6, 1.0, 0.2, 0.5];
+    let mut last = start;
+    for step in arm.track(&start, path) {
+        let Step::Continuous(winding) = step else { panic!("{step:?}") };
+        last = winding.q;
+    }
+    assert!((last - joints![0.4, 0.5, -0.6, 1.2, 0.2, 0.5]).amax() < 1e-6, "{last}");
+}
+
+#[test]
+fn an_arm_behind_a_reference_answers_too() {
+    let arm: &dyn kin_runtime::DynArm = &Human::NOMINAL;
+    let q = [0.4, 0.8, -0.6, 1.1, 0.2, 0.5];
+    let pose = arm.pose_at(&q).expect("six values");
+    let (mut solved, mut labels) = (0, Vec::new());
+    arm.solve_pose(&pose, &mut |slot| {
+        labels.push(slot.branch.to_string());
+        solved += usize::from(matches!(slot.outcome, DynOutcome::Solved { .. }));
+    })
+    .expect("it has an inverse");
+    assert_eq!((labels.len(), labels[0].as_str()), (8, "noflip/up/right"));
+    assert_eq!(solved, Human::NOMINAL.ik(&pose).len());
+}
+
+#[test]
+fn no_arm_is_both() {
+    // Its wrist centre would move on a sphere about its shoulder.
+    let text = "struct Both(standard, m, deg);
+        | joint | theta | d | a | alpha |
+        | J1 | q | 0.3 | 0 | -90 |
+        | J2 | q | 0 | 0 | 90 |
+        | J3 | q | 0.4 | 0.1 | 90 |
+        | J4 | q | 0.3 | 0 | -90 |
+        | J5 | q | 0 | 0 | 90 |
+        | J6 | q | 0.1 | 0 | 0 |";
+    let derived = kin_gen::compile_text(text).unwrap_or_else(|m| panic!("{m}"));
+    let kin_gen::model::Solver::None { reason, .. } = derived.solver else { panic!("{:?}", derived.solver) };
+    let surface = "joints move the point that they carry in a surface only, whatever their values";
+    assert_eq!(reason, format!("the first three {surface}; seen from the tool, the first three {surface}"));
+}
+
+/// One element of a chain: a fixed one, or a joint of either sense.
+#[derive(Clone)]
+enum Element {
+    Fixed(&'static str, f64),
+    Joint(&'static str, i8, f64),
+}
+
+fn printed(elements: &[Element]) -> String {
+    let print = |element: &Element| match element {
+        Element::Fixed(motion, by) => format!("{motion}({by:.4})"),
+        Element::Joint(motion, sense, offset) => {
+            format!("{motion}({}q + {offset:.4})", if *sense < 0 { "-" } else { "" })
+        }
+    };
+    let text: Vec<String> = elements.iter().map(print).collect();
+    format!("struct Any(chain, m, deg);\n{};", text.join(" "))
+}
+
+/// The chain from its other end: the inverse of each element, last first.
+fn mirrored(elements: &[Element]) -> Vec<Element> {
+    let inverse = |element: &Element| match *element {
+        Element::Fixed(motion, by) => Element::Fixed(motion, -by),
+        Element::Joint(motion, sense, offset) => Element::Joint(motion, -sense, -offset),
+    };
+    elements.iter().rev().map(inverse).collect()
+}
+
+fn wrist_arm(random: &mut Sampler, slides: u8) -> Vec<Element> {
+    let mut elements = vec![Element::Fixed("Tz", 0.2)];
+    for joint in 0..6 {
+        let (sense, offset) =
+            ([1, -1][random.below(2)], [0.0, 90.0, random.between(-170.0, 170.0)][random.below(3)]);
+        let length = |random: &mut Sampler| [0.0, random.between(0.1, 0.5)][random.below(2)];
+        let twist = [90.0, -90.0, random.between(35.0, 145.0)][random.below(3)];
+        if slides >> joint & 1 == 1 {
+            elements.push(Element::Joint("Tz", sense, random.between(-0.2, 0.2)));
+            elements.push(Element::Fixed("Rz", random.between(-90.0, 90.0)));
+        } else {
+            elements.push(Element::Joint("Rz", sense, offset));
+        }
+        match joint {
+            0..3 => {
+                elements.push(Element::Fixed("Tz", length(random)));
+                elements.push(Element::Fixed("Tx", random.between(0.1, 0.5)));
+                elements
+                    .push(Element::Fixed("Rx", if joint == 1 && random.below(2) == 0 { 0.0 } else { twist }));
+            }
+            3 => {
+                elements.extend([Element::Fixed("Tz", random.between(0.1, 0.5)), Element::Fixed("Rx", twist)])
+            }
+            4 => elements.push(Element::Fixed("Rx", twist)),
+            _ => elements.extend([Element::Fixed("Tx", length(random)), Element::Fixed("Ry", 25.0)]),
+        }
+    }
+    elements
+}
+
+/// The solutions of an arm at a pose are those of its mirror image at the inverse pose, joint for joint.
+fn same_from_both_ends<const SLIDES: u8, const MIRRORED: u8>(seed: u64) -> [usize; 2] {
+    let mut random = Sampler::new(seed);
+    let (mut arms, mut found) = (0, 0);
+    while arms < 8 {
+        let elements = wrist_arm(&mut random, SLIDES);
+        let (text, back) = (printed(&elements), printed(&mirrored(&elements)));
+        let derived = |text: &str| kin_gen::compile_text(text).unwrap_or_else(|m| panic!("{text}\n{m}"));
+        let Some(arm) = Interpreted::<SLIDES>::new(derived(&text)) else { continue };
+        let shoulder = Mirrored::<MIRRORED>::new(derived(&back)).unwrap_or_else(|| panic!("{back}"));
+        arms += 1;
+        for _ in 0..15 {
+            let mut q = random.angles::<6>();
+            for (joint, value) in q.iter_mut().enumerate() {
+                if SLIDES >> joint & 1 == 1 {
+                    *value = random.between(-0.8, 0.8);
+                }
+            }
+            let pose = arm.fk(&Joints::from(q));
+            let ahead = arm.ik(&pose);
+            let behind = shoulder.ik(&pose.inverse());
+            assert_eq!(ahead.len(), behind.len(), "{q:?}\n{ahead}\n{behind}\n{text}");
+            for solution in behind.iter() {
+                let turned = Joints::from_fn(|i, _| solution.q[5 - i]);
+                let near = ahead.iter().map(|s| apart(&arm, &s.q, &turned)).fold(9.0, f64::min);
+                let sigma = kin_runtime::dexterity(&arm, &turned).margin;
+                assert!(
+                    near <= (1e3 * f64::EPSILON / sigma).min(1.5e-6),
+                    "{near:e} {sigma:e}\n{ahead}\n{behind}\n{text}"
+                );
+                assert!(solution.residual <= 64.0 * f64::EPSILON);
+                found += 1;
+            }
+        }
+    }
+    [arms, found]
+}
+
+#[test]
+fn an_arm_is_the_same_from_both_ends() {
+    let found = [
+        same_from_both_ends::<0, 0>(11),
+        same_from_both_ends::<0b000_001, 0b100_000>(12),
+        same_from_both_ends::<0b000_010, 0b010_000>(13),
+        same_from_both_ends::<0b000_100, 0b001_000>(14),
+        same_from_both_ends::<0b000_101, 0b101_000>(15),
+        same_from_both_ends::<0b000_110, 0b011_000>(16),
+    ];
+    println!("arms and solutions: {found:?}");
+    assert!(found.iter().all(|[_, solutions]| *solutions >= 8 * 15 * 2), "{found:?}");
+}
