@@ -47,6 +47,11 @@
 //! let near = LabArm.ik_near(&pose, &turned).expect("the pose is one of the arm's");
 //! assert!((near.q - turned).amax() < 1e-14);
 //!
+//! // What is out of reach has a nearest pose that is not.
+//! let far = EulerZyx { z: 0.3, y: 0.2, x: 0.1 }.at([500.0, 100.0, 200.0]);
+//! let closest = LabArm.closest(&far).expect("a pose like any other");
+//! assert!(LabArm.ik(&far).is_empty() && !LabArm.ik(&closest.pose).is_empty() && closest.by > 200.0);
+//!
 //! // Limits are not applied until asked for; a slot that they empty says which joint and by how much.
 //! for (branch, slot) in solutions.within(&LabArm.limits()).branches() {
 //!     if let Slot::Empty(Reason::Limit { joint: 0, by }) = slot {
@@ -147,6 +152,7 @@ pub mod trajectory;
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
 pub use dh_macro::dh;
 pub use dynamic::{DynArm, DynError, DynOutcome, DynSlot, Inverse};
+pub use ik::closest::{Closest, ClosestPoint, ClosestPose};
 pub use ik::{Axis, Base, ElbowBase, GeneralBase, TelescopeBase, Wrist, WristFamily};
 pub use limits::{Limits, Standing};
 pub use math::{Float, Lanes, Real};
@@ -163,9 +169,9 @@ pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, Trajec
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {
     pub use crate::{
-        Arm, ArmPosture, Bend, Branch, Elbow, Euler, EulerZyx, Family, Float, Hand, InverseKinematics,
-        Jacobian, Joints, Limits, Pose, PositionInverse, Posture, Real, Reason, Shoulder, ShoulderPosture,
-        Slot, Solution, Solutions, SphericalWrist, Step, Winding, dh, joints,
+        Arm, ArmPosture, Bend, Branch, ClosestPoint, ClosestPose, Elbow, Euler, EulerZyx, Family, Float,
+        Hand, InverseKinematics, Jacobian, Joints, Limits, Pose, PositionInverse, Posture, Real, Reason,
+        Shoulder, ShoulderPosture, Slot, Solution, Solutions, SphericalWrist, Step, Winding, dh, joints,
     };
     // Once more without their names: an arm that is itself called `Arm` hides the name, not the methods.
     pub use crate::{Arm as _, InverseKinematics as _, PositionInverse as _, SphericalWrist as _};

@@ -49,7 +49,7 @@ const STEPS: usize = 16;
 /// How far, in √ε of the size, a figure may stay open and still be handed to the refinement: the round-off of a double root.
 const SLACK: f64 = 64.0;
 
-fn less<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
+pub(super) fn less<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
     [a - x, b - y, c - z]
 }
 
@@ -57,7 +57,7 @@ fn plus<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3], times: T) -> [T; 3] {
     [a + times * x, b + times * y, c + times * z]
 }
 
-fn cross<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
+pub(super) fn cross<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
@@ -65,7 +65,7 @@ fn length<T: Float>(v: [T; 3]) -> T {
     math::sqrt(dot(&v, &v))
 }
 
-fn largest<T: Float>([a, b, c]: [T; 3]) -> T {
+pub(super) fn largest<T: Float>([a, b, c]: [T; 3]) -> T {
     math::max(math::max(math::abs(a), math::abs(b)), math::abs(c))
 }
 
@@ -86,13 +86,13 @@ fn across<T: Float>(z @ [x, y, w]: [T; 3]) -> [T; 3] {
 
 impl<T: Float> Axis<T> {
     /// From the foot on the axis to the point.
-    fn arm(&self, point: [T; 3]) -> [T; 3] {
+    pub(super) fn arm(&self, point: [T; 3]) -> [T; 3] {
         let offset = less(point, self.point);
         plus(offset, self.direction, -dot(&self.direction, &offset))
     }
 
     /// A vector turned by the joint's value.
-    fn turned(&self, v: [T; 3], value: T) -> [T; 3] {
+    pub(super) fn turned(&self, v: [T; 3], value: T) -> [T; 3] {
         if self.slides {
             return v;
         }
@@ -103,7 +103,7 @@ impl<T: Float> Axis<T> {
     }
 
     /// A point moved by the joint's value.
-    fn moved(&self, point: [T; 3], value: T) -> [T; 3] {
+    pub(super) fn moved(&self, point: [T; 3], value: T) -> [T; 3] {
         if self.slides {
             plus(point, self.direction, value)
         } else {
@@ -161,16 +161,16 @@ impl<T: Float> View<T> {
 }
 
 /// The arm at some figure values, with the first joint taken back: what is missed, and how the joints move the point.
-struct Stance<T> {
-    missed: [T; 3],
-    velocities: [[T; 3]; 3],
+pub(super) struct Stance<T> {
+    pub(super) missed: [T; 3],
+    pub(super) velocities: [[T; 3]; 3],
 }
 
 /// The base and the point to be reached, all lengths divided by the size.
-struct Sized<T> {
-    axes: [Axis<T>; 3],
-    carried: [T; 3],
-    point: [T; 3],
+pub(super) struct Sized<T> {
+    pub(super) axes: [Axis<T>; 3],
+    pub(super) carried: [T; 3],
+    pub(super) point: [T; 3],
     /// Of the point about axis 1.
     radius: T,
 }
@@ -207,12 +207,21 @@ impl<T: Float> GeneralBase<T> {
             };
             sized
                 .settled(&way, held2.map(|t2| t2 + o2), o2, window)
-                .map(|(values, placed)| placed.rows(self, values, size))
+                .map(|(values, placed)| placed.placed(self, values, size))
                 .map_err(|by| Reason::OutOfReach { by: by * size, towards: Boundary::Envelope, theta1: None })
         })
     }
 
-    fn sized(&self, p: [T; 3], size: T) -> Sized<T> {
+    /// Row values from figure values, lengths of which are parts of the size.
+    pub(super) fn rows(&self, [v1, v2, v3]: [T; 3], size: T) -> [T; 3] {
+        let ([a, b, c], [o1, o2, o3]) = (&self.axes, self.offset);
+        let row = |axis: &Axis<T>, value: T, offset: T| {
+            if axis.slides { value * size - offset } else { math::wrap(value - offset) }
+        };
+        [row(a, v1, o1), row(b, v2, o2), row(c, v3, o3)]
+    }
+
+    pub(super) fn sized(&self, p: [T; 3], size: T) -> Sized<T> {
         let scaled = |v: [T; 3]| v.map(|c| c / size);
         let axes = self.axes.map(|axis| Axis { point: scaled(axis.point), ..axis });
         let [first, ..] = &axes;
@@ -229,14 +238,10 @@ struct Settled<T> {
 }
 
 impl<T: Float> Settled<T> {
-    fn rows(&self, base: &GeneralBase<T>, [v1, v2, v3]: [T; 3], size: T) -> Placed<T> {
-        let ([a, b, c], [o1, o2, o3]) = (&base.axes, base.offset);
-        let row = |axis: &Axis<T>, value: T, offset: T| {
-            if axis.slides { value * size - offset } else { math::wrap(value - offset) }
-        };
+    fn placed(&self, base: &GeneralBase<T>, values: [T; 3], size: T) -> Placed<T> {
         let [shoulder_free, elbow_free] = self.free;
         Placed {
-            rows: [row(a, v1, o1), row(b, v2, o2), row(c, v3, o3)],
+            rows: base.rows(values, size),
             shoulder: self.shoulder * size,
             elbow: self.elbow,
             shoulder_free,
@@ -326,7 +331,7 @@ impl<T: Float> Sized<T> {
         (values, stance)
     }
 
-    fn stance(&self, [v1, v2, v3]: [T; 3], free: bool) -> Stance<T> {
+    pub(super) fn stance(&self, [v1, v2, v3]: [T; 3], free: bool) -> Stance<T> {
         let [first, second, third] = &self.axes;
         let lifted = third.moved(self.carried, v3);
         let placed = second.moved(lifted, v2);

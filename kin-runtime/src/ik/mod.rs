@@ -7,6 +7,7 @@
 //! * [`spherical_wrist`]: both together, for six-joint arms.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms.
+//! * [`closest`]: the nearest that a base comes to what it does not reach.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
 //!
 //! A new family is a page here that works on a plain struct of constants, a hidden trait in [`private`](crate::private)
@@ -24,8 +25,10 @@
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
 pub mod base;
+pub mod closest;
 pub mod conic;
 pub mod general;
+mod lines;
 pub mod position;
 pub mod quartic;
 pub(crate) mod settle;

@@ -16,10 +16,13 @@ pub enum Reason<T> {
     },
     /// The orientation is a rotation and a reflection: its determinant is -1.
     LeftHanded,
-    /// The pose is too far away, or too near.
+    /// The pose is too far away, or too near. The nearest one that the arm reaches is what
+    /// [`ClosestPose::closest`](crate::ClosestPose::closest) gives, for a position
+    /// [`ClosestPoint::closest_point`](crate::ClosestPoint::closest_point).
     OutOfReach {
-        /// The distance to the nearest point that this figure reaches: a length, or radians for [`Boundary::WristCone`] and
-        /// [`Boundary::ShoulderCone`].
+        /// The distance to the nearest point that this figure reaches, with the joints before it as they are: a length, or
+        /// radians for [`Boundary::WristCone`] and [`Boundary::ShoulderCone`]. With all joints at liberty the arm may come
+        /// nearer, never less near.
         by: T,
         /// Which boundary lies between.
         towards: Boundary,

@@ -138,6 +138,7 @@ pub fn position(inputs: &mut Inputs, measure: Measure<'_>) {
         let _ = black_box((
             &LabRrr.ik_position(point),
             LabRrr.ik_position_near_within(point, black_box(&near), &limits),
+            LabRrr.closest_point(point),
             position_dexterity(&LabRrr, black_box(&near)),
         ));
     });
@@ -155,6 +156,7 @@ pub fn choice(inputs: &mut Inputs, measure: Measure<'_>) {
             &solutions.within(limits),
             solutions.nearest_winding(near, limits),
             LabArm.ik_near_within(pose, near, limits),
+            LabArm.closest(pose),
             dexterity(&LabArm, near),
         ));
         for winding in solutions.windings(limits).take(64) {
