@@ -74,8 +74,8 @@ pub fn operator(sign: &str) -> String {
     format!("<mo>{}</mo>", escaped(sign))
 }
 
-/// Multiplication, which is not shown.
-const TIMES: &str = "<mo>&#x2062;</mo>";
+/// Multiplication, which is not shown, but takes a little room: indices stand between letters.
+const TIMES: &str = "<mo lspace=\"0.06em\" rspace=\"0.06em\">&#x2062;</mo>";
 /// The application of a function.
 const APPLY: &str = "<mo>&#x2061;</mo>";
 const MINUS: &str = "<mo>−</mo>";
