@@ -17,7 +17,7 @@ pub mod dh;
 pub mod dual;
 pub mod expression;
 pub mod interpreted;
-pub mod mathml;
+pub mod markup;
 pub mod mirrored;
 pub mod motion;
 pub mod polynomial;

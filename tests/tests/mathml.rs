@@ -10,7 +10,7 @@ use kin_gen::model::Arm;
 use kin_gen::program::Program;
 use kin_gen::textbook::{self, Formulas, Textbook};
 use nalgebra::{Matrix3, Matrix6};
-use tests::mathml::{Values, read};
+use tests::markup::{Values, read};
 use tests::sample::Sampler;
 
 /// The value of a constant of the ring, by the name that is shown.

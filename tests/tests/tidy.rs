@@ -103,7 +103,7 @@ fn who_may_depend_on_whom() {
 
 #[test]
 fn every_package_obeys_the_workspace_lints() {
-    for package in ["dh-macro", "kin-gen", "kin-runtime", "robots", "tests"] {
+    for package in ["dh-macro", "kin-gen", "kin-runtime", "robots", "robots/report", "tests"] {
         assert_eq!(
             section(&format!("{package}/Cargo.toml"), "[lints]"),
             ["workspace"],
@@ -212,6 +212,7 @@ fn every_module_says_what_it_is() {
         "kin-gen/src",
         "kin-runtime/src",
         "robots/src",
+        "robots/report",
         "tests/src",
         "tests/tests",
         "tests/benches",
@@ -264,9 +265,13 @@ fn no_path_of_one_machine() {
 }
 
 #[test]
-fn the_two_commands_of_the_readme_are_what_ci_runs() {
+fn the_commands_of_the_readme_are_what_ci_runs() {
     let (readme, ci) = (read("README.md"), read(".ci/run"));
-    for command in ["cargo run --release --example quickstart", "cargo test --workspace"] {
+    for command in [
+        "cargo run --release --example quickstart",
+        "cargo test --workspace",
+        "cargo run --release --example lab_reports",
+    ] {
         assert!(
             readme.lines().any(|line| line.split('#').next().unwrap_or_default().trim() == command),
             "README.md: {command}"

@@ -1,6 +1,6 @@
-//! Mathematics read back from its MathML, as a reader of the page would compute it.
+//! Pages read back, and the mathematics on them computed, as their reader would.
 //!
-//! Nothing here knows how it was printed: a tree of elements, juxtaposition is multiplication, an index belongs to its
+//! Nothing here knows how it was printed: a tree of elements. Of mathematics, juxtaposition is multiplication, an index belongs to its
 //! letter, and an equation defines its left side for the ones below it.
 
 use std::collections::BTreeMap;
@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 /// An element with its children, or a text.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Node {
-    /// An element.
-    Element(String, Vec<Node>),
+    /// An element: its name, its attributes as they stand, what is in it.
+    Element(String, String, Vec<Node>),
     /// A text, entities resolved.
     Text(String),
 }
@@ -19,13 +19,13 @@ impl Node {
     pub fn text(&self) -> String {
         match self {
             Node::Text(text) => text.trim().to_owned(),
-            Node::Element(_, children) => children.iter().map(Node::text).collect(),
+            Node::Element(.., children) => children.iter().map(Node::text).collect(),
         }
     }
 
     /// The elements of that name in it, outermost first, those inside one of them left out.
     pub fn all<'a>(&'a self, name: &str, found: &mut Vec<&'a Node>) {
-        if let Node::Element(own, children) = self {
+        if let Node::Element(own, _, children) = self {
             if own == name {
                 found.push(self);
             } else {
@@ -34,11 +34,19 @@ impl Node {
         }
     }
 
-    fn children(&self) -> &[Node] {
+    /// What is in it.
+    pub fn children(&self) -> &[Node] {
         match self {
-            Node::Element(_, children) => children,
+            Node::Element(.., children) => children,
             Node::Text(_) => &[],
         }
+    }
+
+    /// The value of an attribute.
+    pub fn attribute(&self, name: &str) -> Option<&str> {
+        let Node::Element(_, attributes, _) = self else { return None };
+        let (_, rest) = attributes.split_once(&format!(" {name}=\""))?;
+        rest.split('"').next()
     }
 }
 
@@ -48,7 +56,7 @@ impl Node {
 ///
 /// Where it is not well formed.
 pub fn read(markup: &str) -> Node {
-    let mut stack: Vec<(String, Vec<Node>)> = vec![("document".to_owned(), Vec::new())];
+    let mut stack = vec![("document".to_owned(), String::new(), Vec::new())];
     let mut rest = markup;
     while let Some(start) = rest.find('<') {
         let (text, tail) = rest.split_at(start);
@@ -60,32 +68,38 @@ pub fn read(markup: &str) -> Node {
         let (tag, after) = tail[1..].split_once('>').expect("a tag ends");
         rest = after;
         if let Some(name) = tag.strip_prefix('/') {
-            let (open, children) = stack.pop().expect("an open element");
+            let (open, attributes, children) = stack.pop().expect("an open element");
             assert_eq!(open, name, "elements are nested");
-            stack.last_mut().expect("a parent").1.push(Node::Element(open, children));
+            stack.last_mut().expect("a parent").2.push(Node::Element(open, attributes, children));
         } else if !tag.starts_with('!') {
             let name = tag.split_whitespace().next().unwrap_or_default().trim_end_matches('/');
-            stack.push((name.to_owned(), Vec::new()));
+            let element = (name.to_owned(), tag[name.len()..].to_owned(), Vec::new());
             if tag.ends_with('/') || VOID.contains(&name) {
-                let (open, children) = stack.pop().expect("just pushed");
-                stack.last_mut().expect("a parent").1.push(Node::Element(open, children));
+                let (name, attributes, children) = element;
+                stack.last_mut().expect("a parent").2.push(Node::Element(name, attributes, children));
+            } else {
+                stack.push(element);
             }
         }
     }
     push_text(&mut stack, rest);
     assert_eq!(stack.len(), 1, "every element is closed");
-    let (name, children) = stack.remove(0);
-    Node::Element(name, children)
+    let (name, attributes, children) = stack.remove(0);
+    Node::Element(name, attributes, children)
 }
 
 /// Elements of HTML that have no end.
 const VOID: [&str; 4] = ["meta", "br", "link", "hr"];
 
-fn push_text(stack: &mut [(String, Vec<Node>)], text: &str) {
+/// An open element: its name, its attributes, what is in it so far.
+type Open = (String, String, Vec<Node>);
+
+fn push_text(stack: &mut [Open], text: &str) {
     if !text.is_empty() {
         let text = text.replace("&#x2062;", "\u{2062}").replace("&#x2061;", "\u{2061}");
-        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
-        stack.last_mut().expect("a parent").1.push(Node::Text(text));
+        let text =
+            text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&");
+        stack.last_mut().expect("a parent").2.push(Node::Text(text));
     }
 }
 
@@ -146,7 +160,7 @@ enum Token {
 }
 
 fn flatten(node: &Node, tokens: &mut Vec<Token>) {
-    let Node::Element(name, children) = node else { return };
+    let Node::Element(name, _, children) = node else { return };
     match name.as_str() {
         "mi" | "msub" => tokens.push(Token::Name(node.text())),
         "mn" => tokens.push(Token::Number(node.text().parse().expect("a number"))),
