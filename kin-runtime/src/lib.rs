@@ -127,13 +127,14 @@
 //!
 //! [`arm`] the traits · [`pose`] poses, joint vectors, Euler angles · [`geometry`] the figures that solutions are spelled
 //! with · [`ik`] the solvers, one page each · [`solutions`] what they give back · [`limits`] · [`track`] paths of poses ·
-//! [`trajectory`] motions in time · [`singularity`] · [`dynamic`] arms behind references · [`math`] numbers.
+//! [`trajectory`] motions in time · [`watch`] their singular poses · [`singularity`] · [`dynamic`] arms behind references · [`math`] numbers.
 //!
 //! The feature `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
 
 pub mod arm;
 mod choice;
+pub mod dual;
 pub mod dynamic;
 pub mod geometry;
 pub mod ik;
@@ -148,9 +149,11 @@ pub mod singularity;
 pub mod solutions;
 pub mod track;
 pub mod trajectory;
+pub mod watch;
 
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
 pub use dh_macro::dh;
+pub use dual::Dual;
 pub use dynamic::{DynArm, DynError, DynOutcome, DynSlot, Inverse};
 pub use ik::closest::{Closest, ClosestPoint, ClosestPose};
 pub use ik::{Axis, Base, ElbowBase, GeneralBase, TelescopeBase, Wrist, WristFamily};
@@ -165,6 +168,7 @@ pub use solutions::{
 };
 pub use track::{Cause, Step, Track};
 pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, TrajectoryError};
+pub use watch::{Factor, Factored, Factors, Measure, Watch};
 
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {

@@ -23,11 +23,11 @@ mod table;
 pub(crate) use figures::Figures;
 pub(crate) use table::{LAB_ARM, LabRrr, PUMA_560, STANFORD_ARM, Table};
 
+use crate::dual::Dual;
 use crate::math::{self, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};
 use crate::{Arm, private};
 use core::fmt::{self, Write};
-use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Rows of a rotation.
 pub(crate) type Rotation = [[f64; 3]; 3];
@@ -143,69 +143,18 @@ pub(crate) fn apply<T: Real>(m: &[[T; 3]; 3], v: &[T; 3]) -> [T; 3] {
     m.map(|row| pose::dot(&row, v))
 }
 
-/// A value and its derivative with respect to one joint.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Dual<T>(T, T);
-
-impl<T: Real> Add for Dual<T> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Dual(self.0 + other.0, self.1 + other.1)
-    }
-}
-
-impl<T: Real> Sub for Dual<T> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Dual(self.0 - other.0, self.1 - other.1)
-    }
-}
-
-impl<T: Real> Mul for Dual<T> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Dual(self.0 * other.0, self.0 * other.1 + self.1 * other.0)
-    }
-}
-
-impl<T: Real> Div for Dual<T> {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        Dual(self.0 / other.0, (self.1 - self.0 * other.1 / other.0) / other.0)
-    }
-}
-
-impl<T: Real> Neg for Dual<T> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Dual(-self.0, -self.1)
-    }
-}
-
-impl<T: Real> Real for Dual<T> {
-    fn lit(x: f64) -> Self {
-        Dual(T::lit(x), T::lit(0.0))
-    }
-    fn sqrt(self) -> Self {
-        let root = math::sqrt(self.0);
-        Dual(root, self.1 / (root + root))
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        let (s, c) = math::sin_cos(self.0);
-        (Dual(s, c * self.1), Dual(c, -(s * self.1)))
-    }
-}
-
 /// The geometric Jacobian by dual numbers: forward kinematics, differentiated as it is written.
 pub(crate) fn jacobian<T: Real, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Jacobian<T, N> {
     let mut columns = [[T::lit(0.0); 6]; N];
     for (j, column) in columns.iter_mut().enumerate() {
-        let mut moving = pose::entries(q).map(|value| Dual(value, T::lit(0.0)));
-        moving[j].1 = T::lit(1.0);
+        let mut moving = pose::entries(q).map(|value| Dual::new(value, T::lit(0.0)));
+        moving[j].rate = T::lit(1.0);
         let (r, [x, y, z]) = pose::rows(&arm.fk(&pose::column(moving)));
-        let spin =
-            pose::product(&r.map(|row| row.map(|e| e.1)), &pose::transposed(&r.map(|row| row.map(|e| e.0))));
-        *column = [x.1, y.1, z.1, spin[2][1], spin[0][2], spin[1][0]];
+        let spin = pose::product(
+            &r.map(|row| row.map(|e| e.rate)),
+            &pose::transposed(&r.map(|row| row.map(|e| e.value))),
+        );
+        *column = [x.rate, y.rate, z.rate, spin[2][1], spin[0][2], spin[1][0]];
     }
     private::jacobian(columns)
 }

@@ -1,9 +1,10 @@
 //! How near an arm is to losing a direction of motion: singular values and manipulability of its Jacobian.
 //!
-//! The linear rows are divided by the arm's reach, so that rows of both kinds are per radian and the same arm in
-//! millimetres and in metres gives the same numbers; [`singular_values`] alone takes a matrix as it is.
+//! The linear rows are divided by the arm's reach, and the columns of sliding joints multiplied by it, so that every entry is
+//! per radian or per reach and the same arm in millimetres and in metres gives the same numbers: [`normalised`].
+//! [`singular_values`] and [`determinant`] take a matrix as it is.
 
-use crate::arm::Arm;
+use crate::arm::{Arm, Joint, JointKind};
 use crate::math::{self, Float, Real};
 use crate::pose::{self, Jacobian, Joints};
 use nalgebra::{ArrayStorage, SMatrix};
@@ -30,22 +31,99 @@ pub struct Dexterity<T, const N: usize> {
     pub margin: T,
 }
 
-/// The dexterity of an arm at `q`, linear rows divided by its reach.
+/// The dexterity of an arm at `q`, its Jacobian [`normalised`].
 pub fn dexterity<T: Float, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Dexterity<T, N> {
-    measured(&scaled(&arm.jacobian(q), T::lit(arm.reach())), 6)
+    measured(&normalised(arm, q), 6)
 }
 
-/// The dexterity at `q` of an arm that is asked for a position only: the linear rows alone, divided by its reach. At
+/// The dexterity at `q` of an arm that is asked for a position only: the linear rows alone, [`normalised`]. At
 /// most three singular values are not zero; the margin is the third.
 pub fn position_dexterity<T: Float, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Dexterity<T, N> {
+    measured(&linear(&normalised(arm, q)), 3)
+}
+
+/// The Jacobian at `q` with its linear rows divided by the arm's reach and the columns of sliding joints multiplied by it:
+/// what the tool does in reaches and radians, for joints in radians and reaches.
+pub fn normalised<T: Real, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>) -> Jacobian<T, N> {
+    in_reaches(&arm.jacobian(q), &A::JOINTS, T::lit(arm.reach()))
+}
+
+/// A Jacobian normalised by a reach.
+pub(crate) fn in_reaches<T: Real, const N: usize>(
+    jacobian: &Jacobian<T, N>,
+    joints: &[Joint; N],
+    reach: T,
+) -> Jacobian<T, N> {
+    let mut columns = scaled(jacobian, reach).data.0;
+    for (column, joint) in columns.iter_mut().zip(joints) {
+        if joint.kind == JointKind::Prismatic {
+            *column = column.map(|entry| entry * reach);
+        }
+    }
+    SMatrix::from_array_storage(ArrayStorage(columns))
+}
+
+/// The linear rows alone, the others zero.
+pub(crate) fn linear<T: Real, const N: usize>(jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
     let zero = T::lit(0.0);
-    let linear =
-        scaled(&arm.jacobian(q), T::lit(arm.reach())).data.0.map(|[x, y, z, ..]| [x, y, z, zero, zero, zero]);
-    measured(&SMatrix::from_array_storage(ArrayStorage(linear)), 3)
+    SMatrix::from_array_storage(ArrayStorage(
+        jacobian.data.0.map(|[x, y, z, ..]| [x, y, z, zero, zero, zero]),
+    ))
+}
+
+/// The determinant of a Jacobian of six columns, by elimination with the largest pivot of each column; `None` for any other
+/// number of columns.
+pub fn determinant<T: Float, const N: usize>(jacobian: &Jacobian<T, N>) -> Option<T> {
+    let columns: [[T; 6]; 6] = jacobian.data.0.as_slice().try_into().ok()?;
+    Some(eliminated(columns, 6, |x| x).unwrap_or(T::lit(0.0)))
+}
+
+/// The determinant of the linear rows of three columns; `None` for any other number of columns.
+pub fn position_determinant<T: Float, const N: usize>(jacobian: &Jacobian<T, N>) -> Option<T> {
+    let columns: [[T; 6]; 3] = jacobian.data.0.as_slice().try_into().ok()?;
+    Some(eliminated(columns, 3, |x| x).unwrap_or(T::lit(0.0)))
+}
+
+/// The determinant of the first `size` entries of as many vectors, of plain numbers or of moving ones. After each step the
+/// vectors lose their first entry, so that the next pivot is always in the first place.
+///
+/// Without a pivot the determinant is 0, but its rate is not known: then there is none.
+pub(crate) fn eliminated<X: Real, T: Float, const N: usize>(
+    mut vectors: [[X; 6]; N],
+    size: usize,
+    value: impl Fn(X) -> T,
+) -> Option<X> {
+    let lead = |[first, ..]: &[X; 6]| math::abs(value(*first));
+    let mut product = X::lit(1.0);
+    let mut rest: &mut [[X; 6]] = &mut vectors;
+    for step in 1..=size {
+        let (first, others) = rest.split_first_mut()?;
+        for other in others.iter_mut() {
+            if lead(other) > lead(first) {
+                core::mem::swap(first, other);
+                product = -product;
+            }
+        }
+        let [pivot, ..] = *first;
+        product = product * pivot;
+        if step < size && lead(first).partial_cmp(&T::lit(0.0)) == Some(core::cmp::Ordering::Equal) {
+            return None;
+        }
+        for other in others.iter_mut() {
+            let [head, ..] = *other;
+            let factor = head / pivot;
+            for (x, y) in other.iter_mut().zip(first.iter()) {
+                *x = *x - factor * *y;
+            }
+            other.rotate_left(1);
+        }
+        rest = others;
+    }
+    Some(product)
 }
 
 /// The figures of a Jacobian with that many rows that count.
-fn measured<T: Float, const N: usize>(jacobian: &Jacobian<T, N>, rows: usize) -> Dexterity<T, N> {
+pub(crate) fn measured<T: Float, const N: usize>(jacobian: &Jacobian<T, N>, rows: usize) -> Dexterity<T, N> {
     let singular_values = singular_values(jacobian);
     let (mut manipulability, mut margin) = (T::lit(1.0), T::lit(0.0));
     for value in pose::entries(&singular_values).into_iter().take(rows) {
@@ -181,6 +259,38 @@ mod tests {
         assert!(bent.margin > 0.01 && bent.manipulability > 1e-4);
         let product = bent.singular_values.iter().product::<f64>();
         assert!((bent.manipulability - product).abs() < 1e-15);
+    }
+
+    #[test]
+    fn determinants_are_those_of_a_library_and_a_slide_has_no_unit() {
+        let mut random = Random(15);
+        for round in 0..500 {
+            let mut columns = [(); 6].map(|()| [(); 6].map(|()| random.within(-1.0, 1.0)));
+            if round % 5 == 0 {
+                columns[3] = columns[1];
+            }
+            let jacobian: Jacobian<f64, 6> = crate::private::jacobian(columns);
+            let known = jacobian.determinant();
+            assert!(
+                (determinant(&jacobian).unwrap() - known).abs() < 1e-14
+                    && (round % 5 > 0 || known.abs() < 1e-15)
+            );
+            let three: Jacobian<f64, 3> = crate::private::jacobian([columns[0], columns[1], columns[2]]);
+            let known = three.fixed_view::<3, 3>(0, 0).determinant();
+            assert!(
+                (position_determinant(&three).unwrap() - known).abs() < 1e-15
+                    && determinant(&three).is_none()
+            );
+        }
+        // A slide in metres and in millimetres.
+        let slide = Joint { name: "J", kind: JointKind::Prismatic };
+        let of = |unit: f64| {
+            let column = [0.6, 0.0, 0.8, 0.0, 0.0, 0.0];
+            let turn = [0.1 * unit, 0.2 * unit, 0.3 * unit, 0.0, 1.0, 0.0];
+            let joints = [slide, Joint { kind: JointKind::Revolute, ..slide }];
+            in_reaches(&crate::private::jacobian([column, turn]), &joints, 2.0 * unit)
+        };
+        assert!((of(1.0) - of(1000.0)).amax() < 1e-16);
     }
 
     #[test]
