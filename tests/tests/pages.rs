@@ -435,6 +435,31 @@ fn seed_003_replays_and_polynomials() {
     }
 }
 
+/// The monitor's crossing against the trapezoidal profile of joint 5, solved by hand.
+#[test]
+fn seed_003_singularity_on_the_trajectory() {
+    let page = &PAGES["seed-003"];
+    let crossings = page.numbers("crossing");
+    assert_eq!(crossings.len(), 1);
+    // 1.73 rad at 1 rad/s and 2 rad/s² take joint 1 2.23 s; joint 5 has 1.3 rad to go in that time, the first 0.85 of
+    // them to zero: v (T - v / a) = 1.3.
+    let (duration, a, way) = (1.73 + 0.5, 2.0f64, 1.3);
+    let v = (a * duration - (a * a * duration * duration - 4.0 * a * way).sqrt()) / 2.0;
+    let time = 0.85 / v + v / a / 2.0;
+    assert!((crossings[0][0] - time).abs() < 1e-8, "{crossings:?} {time}");
+    // The determinant has opposite signs at the samples around it, and is zero at none.
+    assert!(crossings[0][1] * crossings[0][2] < 0.0);
+    // The printed switching time is right where the profile is trapezoidal, wrong where it is triangular.
+    let profiles = page.rows("profile");
+    assert_eq!(profiles.len(), 6);
+    for row in profiles {
+        let cell = |i: usize| number(&row[i]).expect("a number");
+        let triangular = row[3].text() == "triangular";
+        let true_tau = if triangular { (cell(1) / a).sqrt() } else { 1.0 / a };
+        assert!((cell(5) - true_tau).abs() < 1e-4 && ((cell(4) - cell(5)).abs() > 0.1) == triangular);
+    }
+}
+
 #[test]
 fn seed_004_every_example() {
     let (page, truth) = (&PAGES["seed-004"], &TRUTH["seed004"]);

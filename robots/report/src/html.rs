@@ -49,21 +49,35 @@ impl Table {
     }
 
     fn print(&self) -> String {
+        let numeric = |column: usize| {
+            let mut cells =
+                self.rows.iter().filter_map(|(_, cells)| cells.get(column)).filter(|c| !c.is_empty());
+            cells.clone().next().is_some() && cells.all(|cell| is_number(cell))
+        };
         let mut text = format!("<div class=\"wide\"><table class=\"{}\"><thead><tr>", self.class);
-        self.head.iter().for_each(|h| text.push_str(&format!("<th>{h}</th>")));
+        for (column, head) in self.head.iter().enumerate() {
+            let class = if numeric(column) { " class=\"num\"" } else { "" };
+            text.push_str(&format!("<th{class}>{head}</th>"));
+        }
         text.push_str("</tr></thead><tbody>\n");
         for (key, cells) in &self.rows {
             let key = if key.is_empty() { String::new() } else { format!(" data-key=\"{}\"", escaped(key)) };
             text.push_str(&format!("<tr{key}>"));
             for (cell, head) in cells.iter().zip(&self.head) {
+                let class = if is_number(cell) { " class=\"num\"" } else { "" };
                 let label =
-                    if self.class != "stacked" { String::new() } else { format!(" data-head=\"{head}\"") };
-                text.push_str(&format!("<td{label}>{cell}</td>"));
+                    if self.class == "stacked" { format!(" data-head=\"{head}\"") } else { String::new() };
+                text.push_str(&format!("<td{class}{label}>{cell}</td>"));
             }
             text.push_str("</tr>\n");
         }
         text + "</tbody></table></div>\n"
     }
+}
+
+/// Whether a cell is one number and nothing else.
+fn is_number(cell: &str) -> bool {
+    cell.starts_with("<span class=\"n\">") && cell.ends_with("</span>") && cell.matches("<span").count() == 1
 }
 
 impl Page {

@@ -253,3 +253,50 @@ impl Model {
         body
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kin_runtime::Pose;
+
+    /// How far a frame is from a pose, entry by entry.
+    fn apart(frame: &Frame<f64>, pose: &Pose<f64>) -> f64 {
+        let turned =
+            (0..9).map(|k| (frame.rotation[k / 3][k % 3] - pose.rotation.matrix()[(k / 3, k % 3)]).abs());
+        let moved = (0..3).map(|i| (frame.origin[i] - pose.translation.vector[i]).abs());
+        turned.chain(moved).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn bodies_are_where_the_compiled_arms_are() {
+        for arm in robots::ALL {
+            let model = Model::of(arm.table()).unwrap_or_else(|e| panic!("{}: {e}", arm.name()));
+            let joints = arm.joints().len();
+            for round in 0..5 {
+                let q: Vec<f64> = (0..joints).map(|i| 2.7 * f64::sin((7 * round + 3 * i) as f64)).collect();
+                let body = model.body(&q);
+                let tolerance = 1e-13 * (1.0 + arm.size());
+                let tip = arm.pose_at(&q).unwrap_or_else(|e| panic!("{e}"));
+                assert!(apart(&body.tip, &tip) < tolerance, "{}", arm.name());
+                let mut frames = vec![Pose::identity(); joints];
+                arm.frames_at(&q, &mut frames).unwrap_or_else(|e| panic!("{e}"));
+                assert_eq!(
+                    (body.frames.len(), body.joints.len(), body.links.len()),
+                    (joints, joints, joints + 1)
+                );
+                assert!(
+                    body.frames.iter().zip(&frames).all(|(a, b)| apart(a, b) < tolerance),
+                    "{}",
+                    arm.name()
+                );
+                // Links hang together, from the base to the tool.
+                let ends = body.links.windows(2).all(|pair| pair[0].last() == pair[1].first());
+                assert!(
+                    ends && body.links.last().and_then(|l| l.last()) == Some(&body.tip.origin),
+                    "{}",
+                    arm.name()
+                );
+            }
+        }
+    }
+}

@@ -81,11 +81,20 @@ fn line(k: usize, count: usize) -> Pose<f64> {
 
 fn along(page: &mut Page, model: &Model) {
     page.part("Tasks 2 and 3: many positions, and how many solutions each has");
-    page.text(
+    let ranges: Vec<String> = (0..6)
+        .map(|joint| match limits().range(joint) {
+            Some((low, high)) => {
+                format!("{:.0}° … {:.0}°", low.to_degrees(), high.to_degrees()).replace('-', "−")
+            }
+            None => "none".to_owned(),
+        })
+        .collect();
+    page.text(&format!(
         "The tool moves outwards along a straight line with its orientation kept: from inside the void, which the folded arm \
          cannot enter, past the reach of the stretched arm. The report gives no limits; those of the dashed curve are \
-         illustrative (±149°, −46° … 137°, ±143°, ±172°, ±115°).",
-    );
+         illustrative: {}.",
+        ranges.join(", ")
+    ));
     let count = 381;
     let distance = |pose: &Pose<f64>| (pose.translation.vector - line(0, count).translation.vector).norm();
     let (mut every, mut kept) = (Vec::new(), Vec::new());
@@ -118,16 +127,7 @@ fn along(page: &mut Page, model: &Model) {
     let plot = Plot::new("distance along the line, m", "number of solutions")
         .series(Series::new("all", every).stepped())
         .series(Series::new("within the limits", kept).stepped());
-    let [start, end] = [0, count - 1].map(|k| line(k, count).translation.vector);
-    let reached = ElbowWrist.ik(&line(150, count));
-    let body = reached.iter().next().map(|s| model.body(s.q.as_slice()));
-    let mut picture = Picture::new(View::from(-40.0, 22.0), model.reach(), "m");
-    if let Some(body) = &body {
-        picture = picture.arm(body, Look::Solid);
-    }
-    let picture = picture
-        .path(vec![[start.x, start.y, start.z], [end.x, end.y, end.z]], "figure")
-        .target([end.x, end.y, end.z]);
+    let picture = line_through_space(model, count);
     page.figure(
         "figure-counts",
         &[
@@ -137,6 +137,20 @@ fn along(page: &mut Page, model: &Model) {
         "The number of solutions along the line, and the line itself; its end, out of reach, is ringed.",
     );
     page.table(&table);
+}
+
+/// The arm on the line, half-way.
+fn line_through_space(model: &Model, count: usize) -> Picture {
+    let [start, end] = [0, count - 1].map(|k| line(k, count).translation.vector);
+    let reached = ElbowWrist.ik(&line(150, count));
+    let body = reached.iter().next().map(|s| model.body(s.q.as_slice()));
+    let mut picture = Picture::new(View::from(-40.0, 22.0), model.reach(), "m");
+    if let Some(body) = &body {
+        picture = picture.arm(body, Look::Solid);
+    }
+    picture
+        .path(vec![[start.x, start.y, start.z], [end.x, end.y, end.z]], "figure")
+        .target([end.x, end.y, end.z])
 }
 
 fn path(k: usize) -> Pose<f64> {
@@ -173,17 +187,16 @@ fn tracked(page: &mut Page, model: &Model) {
             series[6 + joint].push((k as f64, fixed[joint]));
         }
     }
-    let plot = |which: &[usize], offset: usize| {
-        which.iter().fold(Plot::new("pose", "joint value, rad"), |plot, joint| {
+    let plot = |offset: usize| {
+        (0..6).fold(Plot::new("pose", "joint value, rad"), |plot, joint| {
             plot.series(Series::new(format!("θ{}", joint + 1), series[offset + joint].clone()))
         })
     };
-    let all = [0, 1, 2, 3, 4, 5];
     page.figure(
         "figure-track",
         &[
             (
-                plot(&all, 0).mark(20.0, "θ5 = 0").draw(
+                plot(0).mark(20.0, "θ5 = 0").draw(
                     480.0,
                     320.0,
                     "clip-track",
@@ -195,12 +208,7 @@ fn tracked(page: &mut Page, model: &Model) {
                 ),
             ),
             (
-                plot(&all, 6).mark(20.0, "θ5 = 0").draw(
-                    480.0,
-                    320.0,
-                    "clip-branch",
-                    "Joint values, one branch",
-                ),
+                plot(6).mark(20.0, "θ5 = 0").draw(480.0, 320.0, "clip-branch", "Joint values, one branch"),
                 format!("One branch by its name: a joint jumps by {} rad.", rough(jump)),
             ),
         ],

@@ -1,5 +1,6 @@
 //! Seed 003: the elbow arm with a spherical wrist, tracking and trajectories.
 
+mod check;
 mod inverse;
 mod motion;
 mod replay;

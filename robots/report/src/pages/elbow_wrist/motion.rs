@@ -4,6 +4,7 @@ use kin_runtime::prelude::*;
 use kin_runtime::trajectory::{RateLimits, Shape, Shared, State, Trajectory};
 
 use super::super::parts::{Mistake, named};
+use super::check;
 use crate::html::{Page, Table, number, rough};
 use crate::model::Model;
 use crate::picture::{Look, Picture};
@@ -17,7 +18,7 @@ const TO: [f64; 6] = [0.83, 1.0, -1.1, -0.5, -0.45, 0.3];
 const VELOCITY: f64 = 1.0;
 const ACCELERATION: f64 = 2.0;
 /// The controller's rate, in Hz.
-const RATE: f64 = 20.0;
+pub(super) const RATE: f64 = 20.0;
 
 fn trajectory(shared: Shared) -> Option<Trajectory<f64, 6>> {
     let limits = RateLimits::uniform(VELOCITY, ACCELERATION);
@@ -32,6 +33,7 @@ pub(super) fn tasks(page: &mut Page, model: &Model) {
     let Some(trajectory) = trajectory(Shared::Duration) else { return };
     profiles(page, &trajectory);
     curves(page, model, &trajectory);
+    check::task(page, &trajectory);
 }
 
 fn profiles(page: &mut Page, trajectory: &Trajectory<f64, 6>) {

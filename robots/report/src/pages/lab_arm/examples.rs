@@ -104,7 +104,7 @@ pub(super) const EXAMPLES: [Example; 8] = [
         position: ["-30", "0", "372.5294643"],
         down: false,
         printed: &[],
-        words: "Four solutions still, 9.7·10⁻⁹ mm inside the boundary.",
+        words: "Four solutions still.",
     },
     Example {
         key: "6.5 z=372.52946438",
@@ -112,7 +112,7 @@ pub(super) const EXAMPLES: [Example; 8] = [
         position: ["-30", "0", "372.52946438"],
         down: false,
         printed: &[],
-        words: "None: the point is 3.4·10⁻¹⁰ mm outside, by geometry and not by a loss of precision.",
+        words: "None, by geometry and not by a loss of precision.",
     },
     Example {
         key: "6.5 z=372.53",
@@ -240,6 +240,11 @@ fn inverse(page: &mut Page, model: &Model, example: &Example) {
         listed(&example.position),
         example.words
     ));
+    if example.key.starts_with("6.5") {
+        let room = highest(model) - frame.origin[2];
+        let side = if room.signum() > 0 { "inside" } else { "beyond" };
+        page.text(&format!("The point lies {} mm {side} the limit of the arm.", rough(room.abs().to_f64())));
+    }
     let answer = LabArm.ik(&pose_of(&frame));
     page.code(&format!("{answer}").replace('\'', "′"));
     let all = solutions(&LabArm, model, &frame);
@@ -338,18 +343,27 @@ fn pictures(
     );
 }
 
-fn reach(page: &mut Page, model: &Model) {
-    page.part("6.5 The limit itself");
+/// The longest that the forearm can be: √(a4² + d5²).
+fn forearm(model: &Model) -> Real {
     let length = |name: &str| model.length(name).unwrap_or(Real::ZERO);
     let (a4, d5) = (length("a4"), length("d5"));
-    let fore = (a4 * a4 + d5 * d5).sqrt();
-    let top = length("d1") + length("d2") + length("a2") + fore + length("d6");
+    (a4 * a4 + d5 * d5).sqrt()
+}
+
+/// The highest that the tool point can be.
+pub(super) fn highest(model: &Model) -> Real {
+    let lengths = ["d1", "d2", "a2", "d6"].map(|name| model.length(name).unwrap_or(Real::ZERO));
+    lengths.into_iter().fold(forearm(model), |sum, length| sum + length)
+}
+
+fn reach(page: &mut Page, model: &Model) {
+    page.part("6.5 The limit itself");
     page.text(
         "The longest the forearm can be is d<sub>3_5</sub> = √(a<sub>4</sub>² + d<sub>5</sub>²); stretched upwards the tool \
          stands at d<sub>1</sub> + d<sub>2</sub> + a<sub>2</sub> + d<sub>3_5</sub> + d<sub>6</sub>.",
     );
     let mut table = Table::new(&["", "mm"]);
-    table.row("limit d35", vec!["d<sub>3_5</sub>".to_owned(), exactly(fore, 16)]);
-    table.row("limit zmax", vec!["highest tool point".to_owned(), exactly(top, 16)]);
+    table.row("limit d35", vec!["d<sub>3_5</sub>".to_owned(), exactly(forearm(model), 16)]);
+    table.row("limit zmax", vec!["highest tool point".to_owned(), exactly(highest(model), 16)]);
     page.table(&table);
 }

@@ -129,7 +129,8 @@ pub(super) fn four_configurations(page: &mut Page, model: &Model) {
     page.figure(
         "figure-figure-4-1",
         &drawings,
-        "θ<sub>1</sub> = 0, from the side. The triangle has the sides a<sub>2</sub>, d<sub>3_5</sub> and d<sub>2_5</sub>.",
+        "θ<sub>1</sub> = 0, from the side. The triangle has the sides a<sub>2</sub>, d<sub>3_5</sub> and d<sub>2_5</sub>; the \
+         dashed arcs are t<sub>aux1</sub> at the shoulder and t<sub>aux2</sub> at the elbow.",
     );
 }
 

@@ -9,7 +9,7 @@ use robots::LabArm;
 
 use super::super::parts::{Mistake, exactly, mistakes, share};
 use super::super::sample::{Sample, TRIALS};
-use super::examples::EXAMPLES;
+use super::examples::{EXAMPLES, highest};
 use crate::exact::decimal;
 use crate::html::{Page, Table, number, rough};
 use crate::model::Model;
@@ -259,12 +259,11 @@ fn precision_6_5(model: &Model) -> Mistake {
         let frame = crate::exact::zyx([decimal("-30"), decimal("0"), decimal(z)], [decimal("0"); 3]);
         LabArm.ik(&super::super::parts::pose_of(&frame)).len()
     };
-    let _ = model;
     Mistake {
         key: "6.5 precision",
         place: "6.5, conclusion",
         printed: "“precision until the 7<sup>th</sup> decimal order”, 10⁻¹⁰ m".to_owned(),
-        truth: "the limit is the arm’s: 372.52946437965905… mm".to_owned(),
+        truth: format!("the limit is the arm’s: {} mm", exactly(highest(model), 14)),
         consequence: format!(
             "z = 372.52946437 has {} solutions, 372.52946438 has {}: nothing was lost",
             out("372.52946437"),

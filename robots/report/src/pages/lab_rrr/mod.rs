@@ -1,5 +1,7 @@
 //! Seed 004: the three-joint lab arm.
 
+mod mistakes;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use kin_gen::number::Real;
@@ -7,10 +9,7 @@ use kin_runtime::position_dexterity;
 use kin_runtime::prelude::*;
 use robots::LabRrr;
 
-use super::parts::{
-    Mistake, double, exactly, joint_cells, mistakes, named, overlaid, share, side_by_side, wrapped,
-};
-use super::sample::{Sample, TRIALS};
+use super::parts::{double, exactly, joint_cells, named, overlaid, side_by_side, wrapped};
 use crate::exact::{Goal, decimal, refined};
 use crate::formulas;
 use crate::html::{Page, Table, digits, number, rough};
@@ -49,7 +48,7 @@ pub fn page() -> Result<Page, ModelError> {
     examples(&mut page, &model, &last);
     solutions(&mut page, &model);
     workspace(&mut page, &model);
-    wrong(&mut page);
+    mistakes::section(&mut page);
     Ok(page)
 }
 
@@ -249,77 +248,4 @@ fn workspace(page: &mut Page, model: &Model) {
         "Where the tool point can be, cut through axis 1; the curves are where the factors of det J vanish. Both links are \
          equally long, so that the arm, folded, reaches its own shoulder and there is no void.",
     );
-}
-
-fn wrong(page: &mut Page) {
-    let mut sample = Sample(4);
-    let (mut forward, mut inverse, mut bent) = (0, 0, 0);
-    for _ in 0..TRIALS {
-        let q = sample.angles::<3>();
-        let point = position(q);
-        let right = distance(geometric(q), point) < 1e-9;
-        forward += usize::from(right);
-        bent += usize::from(q[2] <= 0.0);
-        inverse += usize::from(distance(position(printed_inverse(point)), point) < 1e-9);
-    }
-    let x = L;
-    let all = vec![
-        Mistake {
-            key: "final table",
-            place: "“final solution”, row 1",
-            printed: "d<sub>1</sub> = 0".to_owned(),
-            truth: "d<sub>1</sub> = d = 0.168 m".to_owned(),
-            consequence: "every height is 0.168 m too low; the report’s own test fails with it".to_owned(),
-        },
-        Mistake {
-            key: "alpha",
-            place: "table by the joints",
-            printed: "α<sub>2</sub> = q<sub>2</sub>, α<sub>3</sub> = q<sub>3</sub>".to_owned(),
-            truth: "joints turn about z: q belongs under θ".to_owned(),
-            consequence: "no arm; a compile error under each of the two cells".to_owned(),
-        },
-        Mistake {
-            key: "geometric",
-            place: "geometric forward kinematics",
-            printed: "ψ = q<sub>2</sub> − cos⁻¹(x/2l)".to_owned(),
-            truth: "ψ = q<sub>2</sub> + q<sub>3</sub>/2, that is − for q<sub>3</sub> ≤ 0 and + above".to_owned(),
-            consequence: format!(
-                "{} random configurations right, {bent} of which have q<sub>3</sub> ≤ 0",
-                share(forward, TRIALS)
-            ),
-        },
-        Mistake {
-            key: "cosine",
-            place: "cosine rule for α<sub>1</sub>",
-            printed: "cos⁻¹((l² − l² − x²)/2lx) = cos⁻¹(−x/2l)".to_owned(),
-            truth: "cos⁻¹(x/2l), as the next line uses".to_owned(),
-            consequence: format!(
-                "at x = l: {} against {} rad",
-                number((-x / (2.0 * L)).acos(), 4),
-                number((x / (2.0 * L)).acos(), 4)
-            ),
-        },
-        Mistake {
-            key: "q3",
-            place: "q<sub>3</sub>, three forms on one page",
-            printed: "π + cos⁻¹((x² − 2l²)/2l²) and π − cos⁻¹((2l² − x²)/2l²)".to_owned(),
-            truth: "the second, and its negative: two elbows".to_owned(),
-            consequence: format!(
-                "at x = l they are {} and {} rad",
-                number(PI + ((x * x - 2.0 * L * L) / (2.0 * L * L)).acos(), 4),
-                number(PI - ((2.0 * L * L - x * x) / (2.0 * L * L)).acos(), 4)
-            ),
-        },
-        Mistake {
-            key: "inverse",
-            place: "inverse kinematics as printed",
-            printed: "q<sub>2</sub> = π/2 − α<sub>1</sub> − α<sub>2</sub>, q<sub>1</sub> = tan⁻¹(P<sub>y</sub>/P<sub>x</sub>)"
-                .to_owned(),
-            truth: "q<sub>2</sub> = α<sub>2</sub> ∓ α<sub>1</sub> for q<sub>3</sub> = ±…, q<sub>1</sub> by atan2, and both again \
-                    with the arm turned round"
-                .to_owned(),
-            consequence: format!("{} random points reproduced", share(inverse, TRIALS)),
-        },
-    ];
-    mistakes(page, "Measured while this page was written, on 200 random configurations.", all);
 }
