@@ -161,7 +161,8 @@ fn wrong(page: &mut Page) {
             key: "singularities",
             place: "3.7, the list of singularities",
             printed: "θ<sub>3</sub> = 0 or π, θ<sub>5</sub> = 0 or π".to_owned(),
-            truth: "also the wrist centre on axis 1: the first factor of det J".to_owned(),
+            truth: "also the wrist centre on axis 1: the factor of det J that belongs to the shoulder"
+                .to_owned(),
             consequence: format!(
                 "there σ<sub>min</sub> = {} with θ<sub>3</sub>, θ<sub>5</sub> far from 0 and π",
                 rough(shoulder)

@@ -198,7 +198,7 @@ fn shoulder() -> Mistake {
         key: "z1 z6",
         place: "section 5, a): test for the singular shoulder",
         printed: "z<sub>1</sub> aligned with z<sub>6</sub>, tool and frame 5 both on axis 1".to_owned(),
-        truth: "the wrist centre on axis 1, whatever the orientation: the first factor of det J".to_owned(),
+        truth: "the wrist centre on axis 1, whatever the orientation: where the shoulder’s factor of det J vanishes".to_owned(),
         consequence: format!(
             "with the tool {} mm off the axis σ<sub>6</sub> = {}; the report’s test cannot see it",
             rough(tip.x.hypot(tip.y)),

@@ -104,8 +104,8 @@ fn workspace(page: &mut Page, model: &Model) {
     page.figure(
         "figure-workspace",
         &[(section.draw(400.0, "Cross-section of the workspace of the wrist centre"), String::new())],
-        "Where the wrist centre can be, cut through axis 1. The curves are where the second and third factor of det J \
-         vanish, followed to the last bit and carried into space; which of them are boundaries was decided by counting \
+        "Where the wrist centre can be, cut through axis 1. The curves are where the factors of det J that belong to \
+         shoulder and elbow vanish, followed to the last bit and carried into space; which of them are boundaries was decided by counting \
          solutions on both sides. Axis 2 stands 30 mm off axis 1, so that turning joint 1 by half a turn does not give the \
          same region: that is why some points are reached in two ways and some in four.",
     );
