@@ -431,7 +431,7 @@ fn coordinates(v: V3<Term>) -> Vec<(String, Term)> {
     ["x", "y", "z"].iter().zip(v).map(|(name, term)| ((*name).to_owned(), term)).collect()
 }
 
-/// Σ|a| + |d| of all rows and the tool, plus prismatic travel (the larger limit).
+/// Σ|a| + |d| of all rows and the tool, plus prismatic travel (the larger limit); one unit where that is nothing.
 fn reach(chain: &Chain, symbols: &Symbols, ring: &Ring) -> Quantity {
     let mut constant = Real::ZERO;
     let mut forms = Vec::new();
@@ -454,6 +454,10 @@ fn reach(chain: &Chain, symbols: &Symbols, ring: &Ring) -> Quantity {
             },
             None => continue,
         }
+    }
+    // The same for an arm without a size of its own as in `Chain::reach`.
+    if constant.is_zero() && forms.is_empty() {
+        constant = chain.reach().to_real();
     }
     Quantity::SumOfAbsolutes(constant, forms)
 }

@@ -79,7 +79,7 @@ pub trait Arm<const N: usize> {
     const JOINTS: [Joint; N];
 
     /// The size against which lengths are compared: the sum of |a| + |d| over all rows and the tool, plus the
-    /// travel of prismatic joints. No point of the arm is farther from its first row's frame.
+    /// travel of prismatic joints; one unit of length for an arm of slides that has neither lengths nor limits. No point of the arm is farther from its first row's frame.
     fn reach(&self) -> f64;
 
     /// The declared joint limits, in radians or the declared unit of length.

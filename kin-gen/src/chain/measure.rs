@@ -38,7 +38,8 @@ impl Chain {
     }
 
     /// What lengths are compared with: Σ|a| + |d| over all rows and the tool at nominal parameters, plus the travel of
-    /// prismatic joints that have limits.
+    /// prismatic joints that have limits. An arm that slides and has neither lengths nor limits has no size of its own: it is
+    /// measured in its unit.
     pub fn reach(&self) -> Scalar {
         let mut total = Scalar::zero();
         for Element { motion, .. } in self.elements.iter().chain(&self.tool) {
@@ -51,7 +52,8 @@ impl Chain {
                 total = plus(total, low.abs().max(high.abs()));
             }
         }
-        total
+        let slides = self.joints.iter().any(|j| j.kind == JointKind::Prismatic);
+        if total.is_zero() && slides { Scalar::one() } else { total }
     }
 }
 

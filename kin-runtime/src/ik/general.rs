@@ -12,9 +12,9 @@
 //! down). Else up and down tell the sign of the Jacobian's determinant, which cannot change but through a singular pose, and
 //! right and left are the order of joint 3's value among those of the same sign.
 
-use crate::ik::ROUND_OFF;
 use crate::ik::base::{Placed, Placements};
 use crate::ik::conic::{self, Path, Way};
+use crate::ik::{ACCEPTED, ROUND_OFF};
 use crate::math::{self, Float};
 use crate::pose::dot;
 use crate::solutions::{ArmPosture, Boundary, Branch, Reason};
@@ -200,13 +200,14 @@ impl<T: Float> GeneralBase<T> {
             let beyond = Reason::OutOfReach { by: size, towards: Boundary::Envelope, theta1: None };
             let mut way = way.ok_or(beyond)?;
             way.first = match (way.free, held1, azimuth) {
-                (true, Some(t1), _) => t1 + o1,
+                // Whole turns are taken off first: many of them would leave no digits for the offset.
+                (true, Some(t1), _) => math::wrap(t1) + o1,
                 (true, None, _) => o1,
                 (false, _, Some(azimuth)) => azimuth - way.first,
                 (false, _, None) => way.first,
             };
             sized
-                .settled(&way, held2.map(|t2| t2 + o2), o2, window)
+                .settled(&way, held2.map(|t2| math::wrap(t2) + o2), o2, window)
                 .map(|(values, placed)| placed.placed(self, values, size))
                 .map_err(|by| Reason::OutOfReach { by: by * size, towards: Boundary::Envelope, theta1: None })
         })
@@ -287,20 +288,23 @@ impl<T: Float> Sized<T> {
         let from = third.moved(self.carried, way.third);
         let to = first.moved(self.point, -way.first);
         let (arm, goal) = (second.arm(from), second.arm(to));
-        let folded = !second.slides && length(arm) <= window;
-        let value = if second.slides {
-            dot(&second.direction, &less(to, from))
-        } else if folded {
-            hold.unwrap_or(convention)
-        } else {
-            math::atan2(dot(&second.direction, &cross(arm, goal)), dot(&arm, &goal))
-        };
+        let turned = || math::atan2(dot(&second.direction, &cross(arm, goal)), dot(&arm, &goal));
+        let value = if second.slides { dot(&second.direction, &less(to, from)) } else { turned() };
         let far = way.open
             && largest(less(second.moved(from, value), to)) > T::lit(SLACK * SLACK) * math::sqrt(T::EPS);
-        let (values, stance) =
+        let (mut values, mut stance) =
             self.refined([way.first, value, way.third], way.free, if far { 0 } else { STEPS });
+        // Asked of what the refinement leaves: a point that passes axis 2 is nearest to it in a flat figure.
+        let [first_value, _, third_value] = values;
+        let folded = !second.slides && length(second.arm(third.moved(self.carried, third_value))) <= window;
+        if folded {
+            values = [first_value, hold.unwrap_or(convention), third_value];
+            stance = self.stance(values, way.free);
+        }
         let miss = largest(stance.missed);
-        if way.open && miss > window + window {
+        // A figure that closed but for its round-off may still be open where that is magnified: what is missed decides.
+        let reached = if way.open { window + window } else { T::lit(ACCEPTED * 0.5) * T::EPS };
+        if miss > reached {
             return Err(miss);
         }
         let [j1, j2, j3] = stance.velocities;
@@ -311,7 +315,8 @@ impl<T: Float> Sized<T> {
         Ok((values, Settled { shoulder, elbow, free: [way.free, folded] }))
     }
 
-    /// Figure values brought nearer to the point, as long as a step brings them nearer.
+    /// Figure values brought nearer to the point, as long as a step brings them nearer. Beside a double root the damped step is
+    /// short, so that where it does little the undamped one is tried too.
     fn refined(&self, mut values: [T; 3], free: bool, steps: usize) -> ([T; 3], Stance<T>) {
         let mut stance = self.stance(values, free);
         for _ in 0..steps {
@@ -319,11 +324,20 @@ impl<T: Float> Sized<T> {
             if miss <= T::EPS {
                 break;
             }
-            let ([a, b, c], [v1, v2, v3]) = (stance.step(), values);
-            let next = [v1 + a, v2 + b, v3 + c];
-            let there = self.stance(next, free);
-            if largest(there.missed) < miss {
-                (values, stance) = (next, there);
+            let stepped = |[a, b, c]: [T; 3]| {
+                let [v1, v2, v3] = values;
+                let next = [v1 + a, v2 + b, v3 + c];
+                (next, self.stance(next, free))
+            };
+            let mut best = stepped(stance.step());
+            if largest(best.1.missed) > miss * T::lit(0.25)
+                && let Some(step) = stance.undamped()
+            {
+                let other = stepped(step);
+                best = if largest(other.1.missed) < largest(best.1.missed) { other } else { best };
+            }
+            if largest(best.1.missed) < miss {
+                (values, stance) = best;
             } else {
                 break;
             }
@@ -368,5 +382,14 @@ impl<T: Float> Stance<T> {
         let [m0, m1, m2] = self.missed.map(|m| m / determinant);
         let solved = plus(plus(k0.map(|k| k * m0), k1, m1), k2, m2);
         [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
+    }
+
+    /// The step that closes the gap to first order, J⁻¹·gap by Cramer's rule, if it is none that leaves the neighbourhood.
+    fn undamped(&self) -> Option<[T; 3]> {
+        let ([a, b, c], missed) = (self.velocities, self.missed);
+        let (k0, k1, k2) = (cross(b, c), cross(c, a), cross(a, b));
+        let determinant = dot(&a, &k0);
+        let step = [k0, k1, k2].map(|k| dot(&k, &missed) / determinant);
+        (largest(step) <= T::lit(0.25)).then_some(step)
     }
 }
