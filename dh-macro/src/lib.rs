@@ -126,8 +126,8 @@ use crate::tokens::Tokens;
 /// - `check [0, 0, 0, 0, 0, 0] => (-69, 0, 112);` is a pose the arm must reach, in the header's units, base and tool
 ///   included. The compiler evaluates it; a wrong table does not compile. `zyx(α, β, γ)` adds the orientation
 ///   Rz(α) Ry(β) Rx(γ), and `within 1e-3` the tolerance with which the pose was printed.
-/// - `ik: spherical_wrist;` demands that family, `ik: spherical_shoulder;` the other, where the first three axes meet;
-///   otherwise it is recognised, or there is no `ik`.
+/// - `ik: spherical_wrist;` demands that family, as `spherical_shoulder` (the first three axes meet), `position` and `short`
+///   (a pose of two to five joints) do; otherwise it is recognised, or there is no `ik`.
 ///
 /// # What is generated
 ///
@@ -136,7 +136,8 @@ use crate::tokens::Tokens;
 /// - `Arm<N>`: `fk`, `frames`, `jacobian`, `fk_jacobian`, `limits`, `reach`, and the declaration's text as `TABLE`;
 /// - where the last three axes meet, `SphericalWrist<N>`: `r36`, `r03` and `wrist_angles`;
 /// - where the family has a closed form, `InverseKinematics<N>`: `ik`, every solution, each with its posture;
-/// - for arms of three joints, `PositionInverse<3>`: `ik_position`.
+/// - for arms of two or three joints, `PositionInverse<N>`: `ik_position`; for arms of two to five, `ik` of the poses that they
+///   reach. A planar arm of three joints has `ik` alone: a position would leave one of them free.
 ///
 /// Calling `ik` on an arm that has none is an error that names the axes and the distance by which they miss.
 ///

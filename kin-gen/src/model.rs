@@ -3,6 +3,7 @@
 //! After [`derive()`]: every program equals the declaration's own product of elementary transforms as a polynomial, and
 //! every constant in it is the double nearest to its exact value. The backends only print what stands here.
 
+mod short;
 mod shoulder;
 
 use crate::algebra::expr::{Exprs, Term};
@@ -15,7 +16,7 @@ use crate::derive::pose::{self, TermPose};
 use crate::derive::wrist;
 use crate::family::spherical_shoulder::SphericalShoulder;
 use crate::family::spherical_wrist::SphericalWrist;
-use crate::family::{self, Inverse, position::Position, wrist::Wrist};
+use crate::family::{self, Inverse, position::Position, short::Short, wrist::Wrist};
 use crate::number::Real;
 use crate::program::{Mismatch, Program};
 use crate::quantity::{Linear, Quantity};
@@ -63,7 +64,9 @@ pub enum Solver {
     Pose(Box<PoseSolver>),
     /// For a pose, by a spherical shoulder.
     Shoulder(Box<ShoulderSolver>),
-    /// For a position.
+    /// For a pose, by two to five joints.
+    Short(Box<ShortSolver>),
+    /// For a position, and for a pose where there is one.
     Position(Box<PositionSolver>),
     /// None, and why not.
     None {
@@ -115,6 +118,19 @@ pub struct PositionSolver {
     pub geometry: Position,
     /// A given point in the shoulder frame.
     pub tool_point: Program,
+    /// For a pose.
+    pub pose: Option<ShortSolver>,
+}
+
+/// What the solver of short arms calls.
+#[derive(Clone, Debug)]
+pub struct ShortSolver {
+    /// The recognised geometry.
+    pub geometry: Short,
+    /// The carried point of a given pose, in the frame of the joints that carry it.
+    pub carried_point: Program,
+    /// The rotation from which the turns are read, of a given pose, from the row values of the joints before them.
+    pub rest: Program,
 }
 
 /// A derived arm.
@@ -159,6 +175,7 @@ pub fn derive(chain: &Chain) -> Result<Arm, Mismatch> {
     let solver = match inverse {
         Inverse::Pose(geometry) => Solver::Pose(Box::new(work.pose_solver(*geometry)?)),
         Inverse::Shoulder(geometry) => Solver::Shoulder(Box::new(work.shoulder_solver(*geometry)?)),
+        Inverse::Short(geometry) => Solver::Short(Box::new(work.short_solver(*geometry)?)),
         Inverse::Position(geometry) => Solver::Position(Box::new(work.position_solver(*geometry)?)),
         Inverse::None { reason, culprit } => Solver::None { reason, culprit },
     };
@@ -348,7 +365,8 @@ impl Work<'_> {
         let wrist_rotation = self.program("wrist_rotation", &matrix_outputs(&derived), &flat(&truth))?;
         self.exprs.roll_back(start);
 
-        let wrist_centre = self.point_program("wrist_centre", &geometry.centre_in_tool, &geometry.base)?;
+        let frame = (&geometry.base.axes, &geometry.base.origin);
+        let wrist_centre = self.point_program("wrist_centre", &geometry.centre_in_tool, frame)?;
         let wrist_matrix = self.matrix_program("wrist_matrix", &geometry.wrist)?;
 
         Ok(PoseSolver {
@@ -365,26 +383,30 @@ impl Work<'_> {
 
     fn position_solver(&mut self, geometry: Position) -> Result<PositionSolver, Mismatch> {
         let zero = vector::origin(&self.exprs.ring);
-        let tool_point = self.point_program("tool_point", &zero, &geometry.base)?;
-        Ok(PositionSolver { geometry, tool_point })
+        let tool_point = self.point_program("tool_point", &zero, geometry.carrier.frame())?;
+        let pose = match geometry.pose.clone() {
+            Some(short) => Some(self.short_solver(short)?),
+            None => None,
+        };
+        Ok(PositionSolver { geometry, tool_point, pose })
     }
 
-    /// A point fixed in the given pose, in the shoulder frame.
+    /// A point fixed in the given pose, in a frame of which the orientation and the origin are given.
     fn point_program(
         &mut self,
         name: &'static str,
         local: &V3<Poly>,
-        base: &family::base::Base,
+        (axes, origin): (&M3<Poly>, &V3<Poly>),
     ) -> Result<Program, Mismatch> {
         let start = self.exprs.mark();
-        let derived = wrist::point_of_pose(&mut self.exprs, local, &base.axes, &base.origin);
+        let derived = wrist::point_of_pose(&mut self.exprs, local, axes, origin);
         let given = self.given_rotation();
         let position = [9, 10, 11].map(|i| self.symbols.entry(&self.exprs.ring, i));
         let ring = &mut self.exprs.ring;
         let offset = vector::apply(ring, &given, local);
         let point = vector::add(ring, &position, &offset);
-        let from_origin = vector::sub(ring, &point, &base.origin);
-        let truth = vector::apply(ring, &vector::transpose(&base.axes), &from_origin);
+        let from_origin = vector::sub(ring, &point, origin);
+        let truth = vector::apply(ring, &vector::transpose(axes), &from_origin);
         let program = self.program(name, &coordinates(derived), &truth)?;
         self.exprs.roll_back(start);
         Ok(program)

@@ -124,7 +124,8 @@ pub trait SphericalWrist<const N: usize>: Arm<N> {
     message = "`{Self}` has no closed-form inverse kinematics from a pose",
     label = "no `ik` for this arm",
     note = "`dh!` derives `ik` for arms of six joints whose last, or first, three axes meet and whose other three \
-            joints, of any kind, move that point through space; every arm has `fk` and `jacobian`"
+            joints, of any kind, move that point through space, and for arms of two to five joints two or three of which carry \
+            a point that the others leave in its place; every arm has `fk` and `jacobian`"
 )]
 pub trait InverseKinematics<const N: usize>: Arm<N> {
     /// The labels of the solution slots.
@@ -186,7 +187,8 @@ pub trait InverseKinematics<const N: usize>: Arm<N> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no closed-form inverse kinematics from a position",
     label = "no `ik_position` for this arm",
-    note = "`dh!` derives `ik_position` for arms of three joints; arms of six joints have `ik`, from a pose"
+    note = "`dh!` derives `ik_position` for arms of two or three joints all of which are needed to move the tool point; \
+            arms of two to six joints have `ik`, from a pose"
 )]
 pub trait PositionInverse<const N: usize>: Arm<N> {
     /// The labels of the solution slots.

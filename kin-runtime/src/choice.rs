@@ -116,7 +116,8 @@ pub(crate) fn refusal<T: Float, const N: usize, B: Branch>(offers: &Offers<T, N,
     let rank = |reason: &Reason<T>| match reason {
         Reason::Limit { by, .. } => (0, *by),
         Reason::OutOfReach { by, .. } => (1, *by),
-        _ => (2, T::lit(0.0)),
+        Reason::Orientation { by } => (2, *by),
+        _ => (3, T::lit(0.0)),
     };
     let mut best: Option<Reason<T>> = None;
     for reason in offers.as_ref().iter().flatten().filter_map(|offer| offer.as_ref().err()) {

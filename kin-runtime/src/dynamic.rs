@@ -15,6 +15,8 @@ pub enum Inverse {
     Pose,
     /// The position of its tool point.
     Position,
+    /// Either: the position of its tool point, or a pose, of which it reaches few.
+    PoseOrPosition,
 }
 
 /// Why a request to a [`DynArm`] has no answer.
@@ -121,13 +123,13 @@ pub trait DynArm {
     /// Calls `visit` for each branch of the inverse kinematics of a pose.
     ///
     /// # Errors
-    /// [`DynError::NoInverse`] unless [`DynArm::inverse`] is [`Inverse::Pose`].
+    /// [`DynError::NoInverse`] unless [`DynArm::inverse`] is [`Inverse::Pose`] or [`Inverse::PoseOrPosition`].
     fn solve_pose(&self, pose: &Pose<f64>, visit: &mut dyn FnMut(DynSlot<'_>)) -> Result<(), DynError>;
 
     /// Calls `visit` for each branch of the inverse kinematics of a position.
     ///
     /// # Errors
-    /// [`DynError::NoInverse`] unless [`DynArm::inverse`] is [`Inverse::Position`].
+    /// [`DynError::NoInverse`] unless [`DynArm::inverse`] is [`Inverse::Position`] or [`Inverse::PoseOrPosition`].
     fn solve_position(&self, point: [f64; 3], visit: &mut dyn FnMut(DynSlot<'_>)) -> Result<(), DynError>;
 }
 
@@ -208,7 +210,7 @@ pub fn columns<const N: usize, A: Arm<N>>(arm: &A, q: &Joints<f64, N>) -> [[f64;
     arm.jacobian(q).data.0
 }
 
-/// Implements [`DynArm`] for an arm: `dyn_arm!(Puma560, 6, pose)`, with `pose`, `position` or `plain` for what its
+/// Implements [`DynArm`] for an arm: `dyn_arm!(Puma560, 6, pose)`, with `pose`, `position`, `both` or `plain` for what its
 /// inverse kinematics starts from.
 #[doc(hidden)]
 #[macro_export]
@@ -261,6 +263,24 @@ macro_rules! __dyn_arm {
         fn inverse(&self) -> $crate::Inverse {
             $crate::Inverse::Pose
         }
+        $crate::__dyn_arm! { @ from_pose $joints }
+        $crate::__dyn_arm! { @ no_position }
+    };
+    (@ position $joints:literal) => {
+        fn inverse(&self) -> $crate::Inverse {
+            $crate::Inverse::Position
+        }
+        $crate::__dyn_arm! { @ no_pose }
+        $crate::__dyn_arm! { @ from_position $joints }
+    };
+    (@ both $joints:literal) => {
+        fn inverse(&self) -> $crate::Inverse {
+            $crate::Inverse::PoseOrPosition
+        }
+        $crate::__dyn_arm! { @ from_pose $joints }
+        $crate::__dyn_arm! { @ from_position $joints }
+    };
+    (@ from_pose $joints:literal) => {
         fn solve_pose(
             &self,
             pose: &$crate::Pose<f64>,
@@ -269,13 +289,8 @@ macro_rules! __dyn_arm {
             $crate::dynamic::visit_ik::<$joints, Self>(self, pose, visit);
             ::core::result::Result::Ok(())
         }
-        $crate::__dyn_arm! { @ no_position }
     };
-    (@ position $joints:literal) => {
-        fn inverse(&self) -> $crate::Inverse {
-            $crate::Inverse::Position
-        }
-        $crate::__dyn_arm! { @ no_pose }
+    (@ from_position $joints:literal) => {
         fn solve_position(
             &self,
             point: [f64; 3],

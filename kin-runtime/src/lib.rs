@@ -1,7 +1,7 @@
 //! Robot-arm kinematics that the compiler derives from the table on paper: no `std`, no allocation, no panic.
 //!
 //! Paste a Denavit-Hartenberg table into [`dh!`] and the type it declares has forward kinematics, the Jacobian and, where
-//! the last or the first three axes meet, every inverse solution. This page is the tour; the grammar of the table is told at [`dh!`].
+//! the last or the first three axes meet, and for arms of two to five joints, every inverse solution. This page is the tour; the grammar of the table is told at [`dh!`].
 //!
 //! # An arm
 //!
@@ -156,7 +156,9 @@ pub use dh_macro::dh;
 pub use dual::Dual;
 pub use dynamic::{DynArm, DynError, DynOutcome, DynSlot, Inverse};
 pub use ik::closest::{Closest, ClosestPoint, ClosestPose};
-pub use ik::{Axis, Base, ElbowBase, GeneralBase, TelescopeBase, Wrist, WristFamily};
+pub use ik::{
+    Axis, Base, Carrier, ElbowBase, GeneralBase, PairBase, TelescopeBase, Turns, Wrist, WristFamily,
+};
 pub use limits::{Limits, Standing};
 pub use math::{Float, Lanes, Real};
 pub use nalgebra::{Matrix3, Point3};

@@ -5,9 +5,10 @@ pub use crate::math::{abs, atan2, hypot};
 
 use crate::arm::{Arm, SphericalWrist};
 use crate::ik::wrist::{self, Rows};
-use crate::ik::{Base, Wrist};
+use crate::ik::{Base, Carrier, PairBase, Turns, Wrist};
 use crate::math::{Float, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::solutions::{ArmPosture, Branch, Elbow, Shoulder};
 use nalgebra::{ArrayStorage, Matrix3, Point3, SMatrix};
 
 /// What the solver of six-joint arms asks of an arm: its constants, and the ways into and out of its figures.
@@ -48,6 +49,56 @@ pub trait SolvePosition<const N: usize>: Arm<N> {
     fn base<T: Float>(&self) -> Base<T>;
     /// The tool point in the shoulder frame.
     fn tool_point<T: Real>(&self, p: &Point3<T>) -> [T; 3];
+    /// The commanded values of row values; without offsets, so that it takes differences too.
+    fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
+    /// The row values of commanded values: the inverse of `command`.
+    fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
+}
+
+/// The labels of joints that carry a point.
+pub trait Carried: Branch {
+    /// As the posture of a base.
+    fn base(self) -> ArmPosture;
+}
+
+impl Carried for ArmPosture {
+    fn base(self) -> ArmPosture {
+        self
+    }
+}
+
+impl Carried for Elbow {
+    fn base(self) -> ArmPosture {
+        ArmPosture { shoulder: Shoulder::Right, elbow: self }
+    }
+}
+
+/// What the solver of two-joint arms asks of an arm.
+pub trait SolvePair<const N: usize>: Arm<N> {
+    /// The constants of the two joints.
+    fn base<T: Float>(&self) -> PairBase<T>;
+    /// The tool point in the frame of the two joints.
+    fn tool_point<T: Real>(&self, p: &Point3<T>) -> [T; 3];
+    /// The commanded values of row values; without offsets, so that it takes differences too.
+    fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
+    /// The row values of commanded values: the inverse of `command`.
+    fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
+}
+
+/// What the solver of poses asks of an arm of two to five joints.
+pub trait SolveShort<const N: usize>: Arm<N> {
+    /// How many joints carry the point.
+    const CARRIERS: usize;
+    /// The joints that carry the point, then those that turn the tool.
+    const ORDER: [usize; N];
+    /// The constants of the joints that carry the point.
+    fn carrier<T: Float>(&self) -> Carrier<T>;
+    /// The carried point in their frame.
+    fn carried_point<T: Real>(&self, pose: &Pose<T>) -> [T; 3];
+    /// The rotation that the turns must produce once the others are set.
+    fn rest<T: Real>(&self, rows: [T; N], pose: &Pose<T>) -> Matrix3<T>;
+    /// The joints that turn the tool.
+    fn turns<T: Float>(&self) -> Turns<T>;
     /// The commanded values of row values; without offsets, so that it takes differences too.
     fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
     /// The row values of commanded values: the inverse of `command`.

@@ -150,17 +150,13 @@ fn inverse(arm: &dyn DynArm, request: &Value) -> Result<Value, String> {
         }
     };
     match (arm.inverse(), oriented) {
-        (Inverse::Pose, true) => arm.solve_pose(&target, &mut visit),
-        (Inverse::Position, _) => arm.solve_position(target.translation.vector.into(), &mut visit),
+        (Inverse::Pose | Inverse::PoseOrPosition, true) => arm.solve_pose(&target, &mut visit),
+        (Inverse::Position | Inverse::PoseOrPosition, false) => {
+            arm.solve_position(target.translation.vector.into(), &mut visit)
+        }
         _ => return Err(format!("{} has no inverse for this task", arm.name())),
     }
     .map_err(|error| error.to_string())?;
-    // Fewer joints than a pose asks for: of the solutions for the point, those with the orientation remain.
-    if arm.inverse() == Inverse::Position && oriented {
-        found.retain(|q| {
-            arm.pose_at(q).is_ok_and(|p| (p.rotation.matrix() - target.rotation.matrix()).amax() <= 1e-10)
-        });
-    }
     let metres =
         |q: Vec<f64>| q.iter().enumerate().map(|(joint, value)| value * unit(arm, joint)).collect::<Vec<_>>();
     Ok(json!(found.into_iter().map(metres).collect::<Vec<_>>()))

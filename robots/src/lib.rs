@@ -16,8 +16,9 @@
 
 #![no_std]
 
-/// Calls the macro `$then` with the list of all arms, one line for each: its type, its file, what its inverse takes
-/// (`pose`, `position`, or `none`), and its name in the reference data of the `tests` member, or `_`.
+/// Calls the macro `$then` with the list of all arms, one line for each: its type, its file, how its inverse is found, and its
+/// name in the reference data of the `tests` member, or `_`. Found is a pose of six joints with a spherical wrist (`pose`) or of
+/// fewer joints (`short`); a position, or a pose, of three joints (`position`) or two (`pair`); or nothing (`none`).
 ///
 /// ```
 /// use kin_runtime::prelude::*;
@@ -56,6 +57,11 @@ macro_rules! for_each {
             Seed001Yzy      seed001_yzy     pose     "seed001_yzy";
             ElbowWrist      elbow_wrist     pose     "seed003_lab6dof";
             LabRrr          lab_rrr         position "seed004_3dof";
+            Al5d            al5d            position "al5d";
+            Cobra600        cobra600        short    "cobra600";
+            Orion5          orion5          short    "orion5";
+            Planar3         planar3         short    "planar3";
+            TwoLink         two_link        pair     "twolink";
         }
     };
 }

@@ -6,7 +6,7 @@
 use kin_runtime::JointKind;
 use kin_runtime::prelude::*;
 
-use crate::pose::{difference, isometry, matrix};
+use crate::pose::{isometry, matrix};
 use crate::reference::{self, Matrix4, Record};
 
 /// A pose and a Jacobian by columns.
@@ -33,6 +33,8 @@ pub struct Declared {
     pub fk_jacobian: fn(&[f64]) -> PoseAndJacobian,
     /// All solutions, where there is an inverse.
     pub inverse: Option<Inverse>,
+    /// What it can be asked for.
+    pub tasks: &'static [&'static str],
 }
 
 impl Declared {
@@ -65,6 +67,7 @@ macro_rules! entry {
             jacobian: jacobian::<_, robots::$Arm>,
             fk_jacobian: fk_jacobian::<_, robots::$Arm>,
             inverse: inverse!($Arm $inverse),
+            tasks: tasks!($inverse),
         })
     };
 }
@@ -73,11 +76,35 @@ macro_rules! inverse {
     ($Arm:ident pose) => {
         Some(from_pose::<_, robots::$Arm> as Inverse)
     };
+    ($Arm:ident short) => {
+        Some(from_pose::<_, robots::$Arm> as Inverse)
+    };
     ($Arm:ident position) => {
-        Some(from_position::<_, robots::$Arm> as Inverse)
+        Some(from_either::<_, robots::$Arm> as Inverse)
+    };
+    ($Arm:ident pair) => {
+        Some(from_either::<_, robots::$Arm> as Inverse)
     };
     ($Arm:ident none) => {
         None
+    };
+}
+
+macro_rules! tasks {
+    (pose) => {
+        &["pose"]
+    };
+    (short) => {
+        &["pose"]
+    };
+    (position) => {
+        &["pose", "position"]
+    };
+    (pair) => {
+        &["pose", "position"]
+    };
+    (none) => {
+        &[]
     };
 }
 
@@ -140,13 +167,14 @@ fn from_pose<const N: usize, A: InverseKinematics<N> + Default>(pose: &Matrix4, 
     solutions.iter().map(|s| values::<N, A>(&s.q)).collect()
 }
 
-/// A pose asks more than a position: of the solutions for the point, those with the orientation remain.
-fn from_position<const N: usize, A: PositionInverse<N> + Default>(
+fn from_either<const N: usize, A: InverseKinematics<N> + PositionInverse<N> + Default>(
     pose: &Matrix4,
     task: &str,
 ) -> Vec<Vec<f64>> {
+    if task == "pose" {
+        return from_pose::<N, A>(pose, task);
+    }
     let point = [0, 1, 2].map(|i| pose[i][3] / metres::<N, A>());
     let solutions = A::default().ik_position(&Point3::from(point));
-    let all = solutions.iter().map(|s| values::<N, A>(&s.q));
-    all.filter(|q| task == "position" || difference(&fk::<N, A>(q), pose).rotation <= 1e-10).collect()
+    solutions.iter().map(|s| values::<N, A>(&s.q)).collect()
 }

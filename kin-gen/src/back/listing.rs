@@ -39,7 +39,11 @@ pub fn programs(arm: &Arm) -> Vec<&Program> {
         Solver::Shoulder(s) => {
             programs.extend([&s.shoulder_centre, &s.shoulder_rotation, &s.shoulder_matrix])
         }
-        Solver::Position(s) => programs.push(&s.tool_point),
+        Solver::Short(s) => programs.extend([&s.carried_point, &s.rest]),
+        Solver::Position(s) => {
+            programs.push(&s.tool_point);
+            programs.extend(s.pose.iter().flat_map(|s| [&s.carried_point, &s.rest]));
+        }
         Solver::None { .. } => {}
     }
     programs

@@ -7,7 +7,7 @@ use super::Refusal;
 use super::base::{Base, Shape};
 use super::home::Home;
 use crate::algebra::ring::Poly;
-use crate::algebra::vector::{self, V3};
+use crate::algebra::vector::{self, M3, V3};
 use crate::chain::JointKind;
 use crate::number::Real;
 use crate::quantity::{Linear, Quantity, roundoff};
@@ -34,33 +34,47 @@ pub struct General {
 
 /// Recognises any base that moves the point `carried` through space.
 pub fn recognise(home: &mut Home<'_>, carried: &V3<Poly>) -> Result<Base, Refusal> {
-    let origin = home.axes[0].point.clone();
-    let from_origin = |home: &mut Home<'_>, point: &V3<Poly>| {
-        let offset = vector::sub(&mut home.ring, point, &origin);
-        let [x, y, z] = [0, 1, 2].map(|i| home.linear(&offset[i]));
-        Ok([x?, y?, z?])
-    };
-    let point = from_origin(home, carried)?;
-    let axis = |home: &mut Home<'_>, i: usize| {
-        let line = home.axes[i].clone();
-        let point = from_origin(home, &line.point)?;
-        Ok(Axis { slides: line.kind == JointKind::Prismatic, direction: line.numbers, point })
-    };
-    let general = General { axes: [axis(home, 0)?, axis(home, 1)?, axis(home, 2)?], carried: point };
-    if moves_in_a_surface(&general, home.reach) {
+    let axes = [line(home, 0)?, line(home, 1)?, line(home, 2)?];
+    let general = General { axes, carried: from_first_axis(home, carried)? };
+    if moves_in_a_surface(&Posed::of(&general.axes, &general.carried, home.reach), home.reach) {
         return Err(Refusal::new(
             "the first three joints move the point that they carry in a surface only, whatever their values",
         ));
     }
-    let offset = |i: usize| match general.axes[i].slides {
-        true => Quantity::Linear(home.axes[i].offset.clone()),
-        false => Quantity::angle(home.axes[i].offset.clone(), &[]),
-    };
-    let offsets = [offset(0), offset(1), offset(2)];
-    let base = home.base.clone();
+    let offsets = [offset(home, 0), offset(home, 1), offset(home, 2)];
+    let (axes, origin) = placed(home);
+    Ok(Base { axes, origin, shape: Shape::General(Box::new(general)), offsets })
+}
+
+/// A point from that of axis 1, in the axes of the first row's frame.
+pub(super) fn from_first_axis(home: &mut Home<'_>, point: &V3<Poly>) -> Result<[Linear; 3], Refusal> {
+    let origin = home.axes[0].point.clone();
+    let offset = vector::sub(&mut home.ring, point, &origin);
+    let [x, y, z] = [0, 1, 2].map(|i| home.linear(&offset[i]));
+    Ok([x?, y?, z?])
+}
+
+/// The axis of a joint, from the point of axis 1.
+pub(super) fn line(home: &mut Home<'_>, joint: usize) -> Result<Axis, Refusal> {
+    let line = home.axes[joint].clone();
+    let point = from_first_axis(home, &line.point)?;
+    Ok(Axis { slides: line.kind == JointKind::Prismatic, direction: line.numbers, point })
+}
+
+/// What is added to the row value of a joint to give the figure's.
+pub(super) fn offset(home: &Home<'_>, joint: usize) -> Quantity {
+    let line = &home.axes[joint];
+    match line.kind {
+        JointKind::Prismatic => Quantity::Linear(line.offset.clone()),
+        JointKind::Revolute => Quantity::angle(line.offset.clone(), &[]),
+    }
+}
+
+/// The orientation of the first row's frame and the point of axis 1, in the world.
+pub(super) fn placed(home: &mut Home<'_>) -> (M3<Poly>, V3<Poly>) {
+    let (base, origin) = (home.base.clone(), home.axes[0].point.clone());
     let from_base = vector::apply(&mut home.ring, &base.rotation, &origin);
-    let in_world = vector::add(&mut home.ring, &base.position, &from_base);
-    Ok(Base { axes: base.rotation, origin: in_world, shape: Shape::General(Box::new(general)), offsets })
+    (base.rotation, vector::add(&mut home.ring, &base.position, &from_base))
 }
 
 type Vector = [Real; 3];
@@ -93,33 +107,69 @@ fn moved(axis: &(bool, Vector, Vector), point: &Vector, k: Real, reach: Real) ->
     plus(&plus(&turned, z, along), foot, Real::ONE)
 }
 
-/// Whether the three motions of the point lie in a plane wherever the arm stands, told from four postures in general
-/// position: a determinant that is not identically zero is zero on a surface of postures only. Parameters stand at nominal
-/// values that nobody chose to coincide, plus a share of the reach each, so that what they may bring apart is apart.
-fn moves_in_a_surface(general: &General, reach: Real) -> bool {
-    let number = |linear: &Linear| {
-        let share = |index: usize| reach * Real::from_i64(7 + 4 * index as i64) / Real::from_i64(16);
-        linear.params.iter().fold(linear.constant, |sum, (c, i)| sum + *c * share(*i))
-    };
-    let numbers = |v: &[Linear; 3]| [0, 1, 2].map(|i| number(&v[i]));
-    let axes = [0, 1, 2].map(|i| {
-        let axis = &general.axes[i];
-        (axis.slides, axis.direction, numbers(&axis.point))
-    });
-    let velocity = |axis: &(bool, Vector, Vector), p: &Vector| match axis.0 {
-        true => axis.1.map(|c| c * reach),
-        false => cross(&axis.1, &plus(p, &axis.2, -Real::ONE)),
-    };
-    let carried = numbers(&general.carried);
+/// Axes and a point as numbers. Parameters stand at nominal values that nobody chose to coincide, plus a share of the reach
+/// each, so that what they may bring apart is apart.
+pub(super) struct Posed {
+    axes: Vec<(bool, Vector, Vector)>,
+    carried: Vector,
+}
+
+impl Posed {
+    pub(super) fn of(axes: &[Axis], carried: &[Linear; 3], reach: Real) -> Posed {
+        let number = |linear: &Linear| {
+            let share = |index: usize| reach * Real::from_i64(7 + 4 * index as i64) / Real::from_i64(16);
+            linear.params.iter().fold(linear.constant, |sum, (c, i)| sum + *c * share(*i))
+        };
+        let numbers = |v: &[Linear; 3]| [0, 1, 2].map(|i| number(&v[i]));
+        let axes = axes.iter().map(|axis| (axis.slides, axis.direction, numbers(&axis.point))).collect();
+        Posed { axes, carried: numbers(carried) }
+    }
+
+    /// How the joints move the point, with joints 2 and 3 at these places and joint 1 at home.
+    fn velocities(&self, b: Real, c: Real, reach: Real) -> Vec<Vector> {
+        let velocity = |axis: &(bool, Vector, Vector), p: &Vector| match axis.0 {
+            true => axis.1.map(|c| c * reach),
+            false => cross(&axis.1, &plus(p, &axis.2, -Real::ONE)),
+        };
+        // Each joint carries the point, and the motions of those behind it.
+        let (mut point, mut motions): (Vector, Vec<Vector>) = (self.carried, Vec::new());
+        for (axis, k) in self.axes.iter().zip([Real::ZERO, b, c]).rev() {
+            motions.push(velocity(axis, &point));
+            let end = |motion: &Vector| moved(axis, &plus(&point, motion, Real::ONE), k, reach);
+            let placed = moved(axis, &point, k, reach);
+            motions = motions.iter().map(|motion| plus(&end(motion), &placed, -Real::ONE)).collect();
+            point = placed;
+        }
+        motions
+    }
+
+    /// Whether something holds in four postures in general position: what is not identically zero is zero on a surface of
+    /// postures only.
+    fn always(&self, reach: Real, vanishes: impl Fn(&[Vector]) -> bool) -> bool {
+        [(3, 5), (-7, 11), (13, -4), (-9, -17)].iter().all(|(b, c)| {
+            let [b, c] = [*b, *c].map(|k| Real::from_i64(k) / Real::from_i64(10));
+            vanishes(&self.velocities(b, c, reach))
+        })
+    }
+}
+
+/// Whether the three motions of the point lie in a plane wherever the arm stands.
+fn moves_in_a_surface(posed: &Posed, reach: Real) -> bool {
     let limit = reach * reach * reach * roundoff();
-    [(3, 5), (-7, 11), (13, -4), (-9, -17)].iter().all(|(b, c)| {
-        let [b, c] = [*b, *c].map(|k| Real::from_i64(k) / Real::from_i64(10));
-        let lifted = moved(&axes[2], &carried, c, reach);
-        let placed = moved(&axes[1], &lifted, b, reach);
-        let end = plus(&lifted, &velocity(&axes[2], &lifted), Real::ONE);
-        // Joint 2 carries the motion of joint 3 with it.
-        let third = plus(&moved(&axes[1], &end, b, reach), &placed, -Real::ONE);
-        let pair = cross(&velocity(&axes[0], &placed), &velocity(&axes[1], &placed));
-        dot(&pair, &third).abs() <= limit
+    posed.always(reach, |motions| match motions {
+        [a, b, c] => dot(&cross(a, b), c).abs() <= limit,
+        _ => true,
+    })
+}
+
+/// Whether the two motions of the point lie in a line wherever the arm stands.
+pub(super) fn moves_on_a_curve(posed: &Posed, reach: Real) -> bool {
+    let limit = reach * reach * roundoff();
+    posed.always(reach, |motions| match motions {
+        [a, b] => {
+            let across = cross(a, b);
+            dot(&across, &across).sqrt() <= limit
+        }
+        _ => true,
     })
 }

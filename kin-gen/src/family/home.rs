@@ -96,6 +96,15 @@ impl<'a> Home<'a> {
         seen
     }
 
+    /// The same arm with its joints in another order, for what asks of axes alone.
+    pub fn in_order<R>(&mut self, order: &[usize], look: impl FnOnce(&mut Home<'a>) -> R) -> R {
+        let ordered = order.iter().filter_map(|joint| self.axes.get(*joint).cloned()).collect();
+        let axes = std::mem::replace(&mut self.axes, ordered);
+        let seen = look(self);
+        self.axes = axes;
+        seen
+    }
+
     /// Every direction must be the same for all values of the parameters.
     pub fn require_fixed_directions(&self) -> Result<(), Refusal> {
         for (index, axis) in self.axes.iter().enumerate() {

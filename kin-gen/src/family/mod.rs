@@ -13,7 +13,9 @@
 pub mod base;
 pub mod general;
 pub mod home;
+pub mod pair;
 pub mod position;
+pub mod short;
 pub mod spherical_shoulder;
 pub mod spherical_wrist;
 pub mod wrist;
@@ -30,7 +32,9 @@ pub enum Inverse {
     Pose(Box<spherical_wrist::SphericalWrist>),
     /// A pose, by a spherical shoulder under three joints of any kind.
     Shoulder(Box<spherical_shoulder::SphericalShoulder>),
-    /// A position, by a three-joint arm.
+    /// A pose, by two to five joints.
+    Short(Box<short::Short>),
+    /// A position, by two or three joints.
     Position(Box<position::Position>),
     /// Nothing, and why.
     None {
@@ -61,16 +65,17 @@ impl Refusal {
 pub struct Family {
     /// As written after `ik:`.
     pub name: &'static str,
-    /// How many joints its arms have.
-    pub joints: usize,
+    /// How many joints its arms have: from, to.
+    pub joints: (usize, usize),
     recognise: fn(&mut Home<'_>) -> Result<Inverse, Refusal>,
 }
 
 /// All families, most specific first.
-pub const ALL: [Family; 3] = [
-    Family { name: "spherical_wrist", joints: 6, recognise: spherical_wrist::recognise },
-    Family { name: "spherical_shoulder", joints: 6, recognise: spherical_shoulder::recognise },
-    Family { name: "position", joints: 3, recognise: position::recognise },
+pub const ALL: [Family; 4] = [
+    Family { name: "spherical_wrist", joints: (6, 6), recognise: spherical_wrist::recognise },
+    Family { name: "spherical_shoulder", joints: (6, 6), recognise: spherical_shoulder::recognise },
+    Family { name: "position", joints: (2, 3), recognise: position::recognise },
+    Family { name: "short", joints: (2, 5), recognise: short::recognise },
 ];
 
 /// The family that an arm belongs to, or the reason why it belongs to none.
@@ -81,17 +86,19 @@ pub fn recognise(chain: &Chain, symbols: &Symbols, ring: Ring, outers: &Outers) 
     let joints = chain.joints.len();
     let candidates = ALL.iter().filter(|f| match demanded {
         Some(name) => f.name == name,
-        None => f.joints == joints,
+        None => (f.joints.0..=f.joints.1).contains(&joints),
     });
     let mut refusals = Vec::new();
     let other = Refusal::new(format!(
-        "inverse kinematics is derived for arms with six joints (a pose) or three (a position), this one has {joints}"
+        "inverse kinematics is derived for arms with two to six joints, this one has {joints}"
     ));
     for family in candidates {
-        if family.joints != joints {
+        let (least, most) = family.joints;
+        if !(least..=most).contains(&joints) {
+            let range = if least == most { format!("{least}") } else { format!("{least} to {most}") };
             refusals.push(Refusal::new(format!(
-                "the family {} has {} joints, this arm has {joints}",
-                family.name, family.joints
+                "the family {} has {range} joints, this arm has {joints}",
+                family.name
             )));
             continue;
         }

@@ -74,14 +74,7 @@ impl Triple {
                 )));
             }
         }
-        let between = home.between(a, b);
-        let gap = distance_of_lines(home, a, b, &between)?;
-        if !gap.vanishes(home.tolerance()) {
-            let distance = home.say_length(&gap);
-            let what = format!("axes {} and {} pass each other at {distance}", a + 1, b + 1);
-            return Err(self.refuse(home, &what, b));
-        }
-        let centre = common_point(home, a, b, &between);
+        let centre = self.meeting_of_two(home)?;
         let from_last = vector::sub(&mut home.ring, &centre, &home.axes[c].point.clone());
         let direction = home.direction(c);
         let across = vector::cross(&mut home.ring, &from_last, &direction);
@@ -100,9 +93,30 @@ impl Triple {
         Ok(centre)
     }
 
+    /// The point in which the first two axes meet.
+    pub(super) fn meeting_of_two(self, home: &mut Home<'_>) -> Result<V3<Poly>, Refusal> {
+        let [a, b, _] = self.joints();
+        let axes = format!("axes {} and {}", a + 1, b + 1);
+        if base::parallel(&home.axes[a].numbers, &home.axes[b].numbers) {
+            return Err(Refusal::new(format!(
+                "{axes} are parallel, so that no point of both stays in its place"
+            )));
+        }
+        let between = home.between(a, b);
+        let gap = distance_of_lines(home, a, b, &between)?;
+        if !gap.vanishes(home.tolerance()) {
+            let what = format!("{axes} pass each other at {}", home.say_length(&gap));
+            return Err(self.refuse(home, &what, b));
+        }
+        Ok(common_point(home, a, b, &between))
+    }
+
     fn refuse(self, home: &Home<'_>, what: &str, joint: usize) -> Refusal {
         let culprit = culprit(home, self.first, joint);
-        Refusal { reason: format!("{} do not meet in one point: {what}", self.axes()), culprit }
+        // Of two joints behind a base there is no third axis to speak of.
+        let axes =
+            if self.first + 2 < home.axes.len() { self.axes() } else { "the last two axes".to_owned() };
+        Refusal { reason: format!("{axes} do not meet in one point: {what}"), culprit }
     }
 
     /// How the angles are read from the rotation between two frames, given at home: `from` before the first of the three
@@ -210,7 +224,7 @@ fn oblique(home: &mut Home<'_>, axes: [V3<Poly>; 3], at_home: &M3<Poly>, offsets
 }
 
 /// A rotation whose third column is the given unit vector.
-fn basis(z: &[Real; 3]) -> [[Real; 3]; 3] {
+pub(super) fn basis(z: &[Real; 3]) -> [[Real; 3]; 3] {
     // The coordinate axis that z is farthest from makes the best conditioned product.
     let least = if z[0].abs() <= z[1].abs() && z[0].abs() <= z[2].abs() {
         0
@@ -230,11 +244,11 @@ fn basis(z: &[Real; 3]) -> [[Real; 3]; 3] {
     [0, 1, 2].map(|i| [x[i], y[i], z[i]])
 }
 
-fn relative(a: &[[Real; 3]; 3], b: &[[Real; 3]; 3]) -> [[Real; 3]; 3] {
+pub(super) fn relative(a: &[[Real; 3]; 3], b: &[[Real; 3]; 3]) -> [[Real; 3]; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]))
 }
 
-fn numbers_to_polys(home: &mut Home<'_>, m: &[[Real; 3]; 3]) -> M3<Poly> {
+pub(super) fn numbers_to_polys(home: &mut Home<'_>, m: &[[Real; 3]; 3]) -> M3<Poly> {
     m.map(|row| {
         row.map(|value| {
             if value.is_negligible() {

@@ -112,7 +112,7 @@ impl<T: Float> Axis<T> {
     }
 
     /// How a point moves with the joint's value.
-    fn velocity(&self, point: [T; 3]) -> [T; 3] {
+    pub(super) fn velocity(&self, point: [T; 3]) -> [T; 3] {
         if self.slides { self.direction } else { cross(self.direction, less(point, self.point)) }
     }
 }

@@ -6,7 +6,8 @@
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * [`spherical_wrist`]: both together, for six-joint arms.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
-//! * [`position`]: the base alone, for three-joint arms.
+//! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
+//! * [`short`]: poses of arms with two to five joints.
 //! * [`closest`]: the nearest that a base comes to what it does not reach.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
 //!
@@ -29,10 +30,12 @@ pub mod closest;
 pub mod conic;
 pub mod general;
 mod lines;
+pub mod pair;
 pub mod position;
 pub mod quartic;
 pub(crate) mod settle;
 mod sheaf;
+pub mod short;
 mod sphere;
 pub mod spherical_shoulder;
 pub mod spherical_wrist;
@@ -44,6 +47,9 @@ mod tests;
 
 pub use base::{Base, ElbowBase, TelescopeBase};
 pub use general::{Axis, GeneralBase};
+pub use pair::PairBase;
+pub use position::Carrier;
+pub use short::Turns;
 pub use wrist::{Wrist, WristFamily};
 
 use crate::arm::{Joint, JointKind};

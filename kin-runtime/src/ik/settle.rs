@@ -9,8 +9,8 @@
 //! singular solutions too), by conjugate gradients, which leave alone what J does not see.
 
 use crate::arm::Arm;
-use crate::ik::given_out;
 use crate::ik::target::{Target, accepted};
+use crate::ik::{ROUND_OFF, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::singularity::scaled;
@@ -44,6 +44,33 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
         }
     }
     None
+}
+
+/// Joint values, and how far they miss the target, brought nearer to it as long as a step does so. Of an arm that a pose asks
+/// too much of they are the nearest there are, in the least-squares sense.
+pub(crate) fn improved<T: Float, const N: usize, A: Arm<N>>(
+    arm: &A,
+    target: &Target<T>,
+    (mut q, mut residual): (Joints<T, N>, T),
+) -> (Joints<T, N>, T) {
+    let reach = T::lit(arm.reach());
+    for _ in 0..STEPS {
+        if residual <= T::lit(ROUND_OFF) * T::EPS {
+            break;
+        }
+        let (at, jacobian) = arm.fk_jacobian(&q);
+        let step = least_squares(&scaled(&jacobian, reach).data.0, error(&target.pose, &at, reach));
+        let mut next = pose::entries(&q);
+        add(&mut next, &step, T::lit(1.0));
+        let next = given_out(next, &A::JOINTS);
+        let missed = target.missed_by(&arm.fk(&next));
+        if missed < residual {
+            (q, residual) = (next, missed);
+        } else {
+            break;
+        }
+    }
+    (q, residual)
 }
 
 /// How the tool must move, as the rows of the Jacobian count: a length in parts of the reach, then a turn.

@@ -41,7 +41,8 @@ pub enum Shoulder {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Elbow {
-    /// Towards the positive first axis (of an arm that reaches away from that axis). A sliding third joint: extended.
+    /// Towards the positive first axis (of an arm that reaches away from that axis). A sliding third joint: extended. Of two
+    /// joints that carry a point: the second bent positively.
     Up,
     /// The other side. A sliding third joint: pulled through.
     Down,
@@ -85,7 +86,7 @@ impl ArmPosture {
     }
 
     /// The one of four values, in the order of the slots, that belongs to this branch.
-    pub(super) fn pick<X>(self, [ru, rd, lu, ld]: [X; 4]) -> X {
+    pub(crate) fn pick<X>(self, [ru, rd, lu, ld]: [X; 4]) -> X {
         match (self.shoulder, self.elbow) {
             (Shoulder::Right, Elbow::Up) => ru,
             (Shoulder::Right, Elbow::Down) => rd,
@@ -141,6 +142,31 @@ impl Branch for ArmPosture {
 
     fn of_mut<X>(self, slots: &mut [X; 4]) -> &mut X {
         self.pick(slots.each_mut())
+    }
+}
+
+/// The two ways of two joints that carry a point.
+impl Branch for Elbow {
+    type Slots<X> = [X; 2];
+
+    const ALL: &'static [Self] = &[Self::Up, Self::Down];
+
+    fn slots<X>(mut make: impl FnMut(Self) -> X) -> [X; 2] {
+        [make(Self::Up), make(Self::Down)]
+    }
+
+    fn of<X>(self, [up, down]: &[X; 2]) -> &X {
+        match self {
+            Self::Up => up,
+            Self::Down => down,
+        }
+    }
+
+    fn of_mut<X>(self, [up, down]: &mut [X; 2]) -> &mut X {
+        match self {
+            Self::Up => up,
+            Self::Down => down,
+        }
     }
 }
 
@@ -252,6 +278,7 @@ mod tests {
     fn slots_follow_the_list_of_branches() {
         keeps_its_order::<Posture>();
         keeps_its_order::<ArmPosture>();
+        keeps_its_order::<Elbow>();
     }
 
     #[test]

@@ -30,6 +30,7 @@ impl fmt::Display for Boundary {
             Boundary::WristCone => "the cone of the wrist",
             Boundary::HandCylinder => "the cylinder about axis 6",
             Boundary::ShoulderCone => "the cone of the shoulder",
+            Boundary::Surface => "the surface on which two joints carry the tool",
             Boundary::Reach => "the reach of the arm",
         })
     }
@@ -64,10 +65,17 @@ impl<T: Float> fmt::Display for Reason<T> {
                 write_amount(f, *by)?;
                 let side = match towards {
                     Boundary::OuterCircle | Boundary::Reach => "beyond",
-                    Boundary::WristCone | Boundary::ShoulderCone | Boundary::Envelope => "off",
+                    Boundary::WristCone | Boundary::ShoulderCone | Boundary::Envelope | Boundary::Surface => {
+                        "off"
+                    }
                     Boundary::Cylinder | Boundary::HandCylinder | Boundary::InnerCircle => "inside",
                 };
                 write!(f, " {side} {towards}")
+            }
+            Reason::Orientation { by } => {
+                f.write_str("the tool cannot be turned like that there: ")?;
+                write_amount(f, *by)?;
+                f.write_str(" radians are missing")
             }
             Reason::Limit { joint, by } => {
                 write!(f, "the limit of joint {} is passed by ", joint + 1)?;

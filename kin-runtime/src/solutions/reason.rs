@@ -30,6 +30,11 @@ pub enum Reason<T> {
         /// found first, and nothing stands here.
         theta1: Option<T>,
     },
+    /// The tool cannot be turned like that where the pose has it: an arm of fewer than six joints.
+    Orientation {
+        /// The angle, in radians, between the orientation and the one that the joints come to; others may be nearer.
+        by: T,
+    },
     /// A joint would leave its range.
     Limit {
         /// The joint, counted from 0.
@@ -57,6 +62,9 @@ pub enum Boundary {
     /// The surface at which two ways of a [general base](crate::ik::general) meet and end. The distance that comes with it is
     /// to a point that is reached, near the nearest: an upper bound.
     Envelope,
+    /// The surface on which two joints carry a point, of an arm that has no more to do it with. The distance that comes with it
+    /// is to a point that is reached, near the nearest: an upper bound.
+    Surface,
     /// The reach of the arm as a whole: the pose is so far away that the arm is round-off of the distance, and no figure
     /// was looked at. A slide counts with the travel that its limits allow.
     Reach,

@@ -5,7 +5,9 @@ use std::fmt::Write;
 use super::{Printer, line};
 use crate::back::infix::{self, Leaves};
 use crate::family::base::{Base, Figure, Shape, Stand};
-use crate::family::general::General;
+use crate::family::general::Axis;
+use crate::family::pair::Pair;
+use crate::family::short::{Carrier, Turns};
 use crate::family::wrist::{Wrist, WristForm};
 use crate::number::Real;
 use crate::program::Program;
@@ -17,6 +19,12 @@ impl Printer<'_> {
         let krate = self.krate;
         line!(text, "/// The base's geometry, measured in the shoulder frame.");
         line!(text, "fn base<T: {krate}::Float>(&self) -> {krate}::Base<T> {{");
+        self.base_value(text, base);
+        line!(text, "}}");
+    }
+
+    fn base_value(&self, text: &mut String, base: &Base) {
+        let krate = self.krate;
         let kind = match &base.shape {
             Shape::General(_) => "General",
             Shape::Stand(stand) => match &stand.figure {
@@ -27,18 +35,75 @@ impl Printer<'_> {
         line!(text, "{krate}::Base::{kind}({krate}::{kind}Base {{");
         match &base.shape {
             Shape::Stand(stand) => self.stand(text, stand),
-            Shape::General(general) => self.general(text, general),
+            Shape::General(general) => self.lines(text, &general.axes, &general.carried),
         }
-        let offsets: Vec<String> = base.offsets.iter().map(|o| self.quantity(o)).collect();
-        line!(text, "offset: [{}],", offsets.join(", "));
+        line!(text, "offset: [{}],", self.offsets(&base.offsets));
         if let Shape::Stand(stand) = &base.shape {
             line!(text, "reversed: {:?},", stand.reversed);
         }
-        let reach = match self.arm.reach.as_f64() {
+        line!(text, "reach: {},\n}})", self.reach_in_t());
+    }
+
+    /// The method that hands two joints over.
+    pub(super) fn pair(&self, text: &mut String, pair: &Pair) {
+        let krate = self.krate;
+        line!(text, "/// The geometry of the two joints, measured in the first row's frame.");
+        line!(text, "fn base<T: {krate}::Float>(&self) -> {krate}::PairBase<T> {{");
+        self.pair_value(text, pair);
+        line!(text, "}}");
+    }
+
+    fn pair_value(&self, text: &mut String, pair: &Pair) {
+        line!(text, "{}::PairBase {{", self.krate);
+        self.lines(text, &pair.lines, &pair.carried);
+        line!(text, "offset: [{}],", self.offsets(&pair.offsets));
+        line!(text, "reach: {},\n}}", self.reach_in_t());
+    }
+
+    /// The method that hands over the joints that carry a point.
+    pub(super) fn carrier(&self, text: &mut String, carrier: &Carrier) {
+        let krate = self.krate;
+        line!(text, "/// The geometry of the joints that carry the point.");
+        line!(text, "fn carrier<T: {krate}::Float>(&self) -> {krate}::Carrier<T> {{");
+        match carrier {
+            Carrier::Three(base) => {
+                line!(text, "{krate}::Carrier::Three(");
+                self.base_value(text, base);
+            }
+            Carrier::Two(pair) => {
+                line!(text, "{krate}::Carrier::Two(");
+                self.pair_value(text, pair);
+            }
+        }
+        line!(text, ")\n}}");
+    }
+
+    /// The method that hands over the joints that turn the tool about the point.
+    pub(super) fn turns_of(&self, text: &mut String, turns: &Turns) {
+        let krate = self.krate;
+        line!(text, "/// The joints that turn the tool about the point.");
+        line!(text, "fn turns<T: {krate}::Float>(&self) -> {krate}::Turns<T> {{");
+        let offsets = self.offsets(&turns.offsets);
+        match (&turns.between, turns.offsets.as_slice()) {
+            (Some(between), _) => {
+                let between = self.numbers(between);
+                line!(text, "{krate}::Turns::Two {{ between: {between}, offset: [{offsets}] }}");
+            }
+            (None, []) => line!(text, "{krate}::Turns::None"),
+            (None, _) => line!(text, "{krate}::Turns::One {{ offset: {offsets} }}"),
+        }
+        line!(text, "}}");
+    }
+
+    fn offsets(&self, offsets: &[Quantity]) -> String {
+        offsets.iter().map(|o| self.quantity(o)).collect::<Vec<_>>().join(", ")
+    }
+
+    fn reach_in_t(&self) -> String {
+        match self.arm.reach.as_f64() {
             Some(value) => self.literal(value),
-            None => format!("T::lit({krate}::Arm::reach(self))"),
-        };
-        line!(text, "reach: {reach},\n}})\n}}");
+            None => format!("T::lit({}::Arm::reach(self))", self.krate),
+        }
     }
 
     fn stand(&self, text: &mut String, stand: &Stand) {
@@ -56,24 +121,23 @@ impl Printer<'_> {
         }
     }
 
-    fn general(&self, text: &mut String, general: &General) {
+    fn lines(&self, text: &mut String, axes: &[Axis], carried: &[Linear; 3]) {
         let krate = self.krate;
         let point = |v: &[Linear; 3]| v.each_ref().map(|l| self.linear_in_t(l)).join(", ");
         line!(text, "axes: [");
-        for axis in &general.axes {
+        for axis in axes {
             let direction = axis.direction.map(|d| self.literal(d.to_f64())).join(", ");
             line!(text, "{krate}::Axis {{ slides: {}, direction: [{direction}],", axis.slides);
             line!(text, "point: [{}] }},", point(&axis.point));
         }
-        line!(text, "],\ncarried: [{}],", point(&general.carried));
+        line!(text, "],\ncarried: [{}],", point(carried));
     }
 
     /// The call that reads a wrist's angles from the outputs of a program.
     pub(super) fn wrist_value(&self, wrist: &Wrist, program: &Program) -> String {
         let krate = self.krate;
         let m = self.rows(program);
-        let offsets: Vec<String> = wrist.offsets.iter().map(|o| self.quantity(o)).collect();
-        let offsets = offsets.join(", ");
+        let offsets = self.offsets(&wrist.offsets);
         match &wrist.form {
             WristForm::Orthogonal => format!("{krate}::private::zyz({m}, [{offsets}], [false; 3])"),
             WristForm::Oblique(between) => {

@@ -5,8 +5,9 @@ use std::fmt::Write;
 use super::method::{Given, Gives};
 use super::{ATTRIBUTES, Printer, line};
 use crate::back::infix::{self, Leaves};
+use crate::family::short::Carrier;
 use crate::family::wrist::Wrist;
-use crate::model::{PoseSolver, PositionSolver, ShoulderSolver};
+use crate::model::{PoseSolver, PositionSolver, ShortSolver, ShoulderSolver};
 use crate::program::Program;
 
 /// A trait of the runtime through which an inverse is called.
@@ -50,7 +51,7 @@ impl Printer<'_> {
         let what = "The wrist centre of a pose, in the shoulder frame";
         self.method(text, what, &solver.wrist_centre, Given::Pose, Gives::Coordinates);
         let what = "³R₆ of a pose, from the first three row values";
-        self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose(0), Gives::Matrix);
+        self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
         self.command(text);
         line!(text, "}}");
         self.entry(
@@ -74,7 +75,7 @@ impl Printer<'_> {
             "The centre of the shoulder as the tool of a pose sees it, in the frame of joints 6, 5 and 4";
         self.method(text, what, &solver.shoulder_centre, Given::Pose, Gives::Coordinates);
         let what = "⁰R₃ of a pose, from the last three row values";
-        self.method(text, what, &solver.shoulder_rotation, Given::RowsAndPose(3), Gives::Matrix);
+        self.method(text, what, &solver.shoulder_rotation, Given::RowsAndPose(3, 3), Gives::Matrix);
         let (shoulder, program) = (&solver.geometry.shoulder, &solver.shoulder_matrix);
         line!(text, "/// The first three row values from ⁰R₃, by look-up of its entries.");
         self.angles(text, "shoulder_angles", shoulder, program, Given::Rotation("r03"));
@@ -95,8 +96,15 @@ impl Printer<'_> {
     /// The inverse of an arm that puts a point in its place.
     pub(super) fn position_inverse(&self, text: &mut String, solver: &PositionSolver) {
         let (name, krate, n) = (&self.arm.name, self.krate, self.count());
-        line!(text, "{ATTRIBUTES}\nimpl {krate}::private::SolvePosition<{n}> for {name} {{");
-        self.base(text, &solver.geometry.base);
+        let (branch, asked, page) = match &solver.geometry.carrier {
+            Carrier::Three(_) => ("ArmPosture", "SolvePosition", "position"),
+            Carrier::Two(_) => ("Elbow", "SolvePair", "pair"),
+        };
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::private::{asked}<{n}> for {name} {{");
+        match &solver.geometry.carrier {
+            Carrier::Three(base) => self.base(text, base),
+            Carrier::Two(pair) => self.pair(text, pair),
+        }
         let what = "A point in the shoulder frame";
         self.method(text, what, &solver.tool_point, Given::Point, Gives::Coordinates);
         self.command(text);
@@ -105,12 +113,39 @@ impl Printer<'_> {
             text,
             &Entry {
                 name: "PositionInverse",
-                branch: "ArmPosture",
+                branch,
                 method: "ik_position",
                 given: Given::Point,
-                solver: "position",
+                solver: page,
             },
         );
+        if let Some(pose) = &solver.pose {
+            self.short_inverse(text, pose);
+        }
+    }
+
+    /// The inverse of an arm with two to five joints from a pose.
+    pub(super) fn short_inverse(&self, text: &mut String, solver: &ShortSolver) {
+        let (name, krate, n) = (&self.arm.name, self.krate, self.count());
+        let short = &solver.geometry;
+        line!(text, "{ATTRIBUTES}\nimpl {krate}::private::SolveShort<{n}> for {name} {{");
+        line!(text, "const CARRIERS: usize = {};", short.carriers);
+        line!(text, "const ORDER: [usize; {n}] = {:?};", short.order);
+        self.carrier(text, &short.carrier);
+        self.turns_of(text, &short.turns);
+        let what = "The carried point of a pose, in the frame of the joints that carry it";
+        self.method(text, what, &solver.carried_point, Given::Pose, Gives::Coordinates);
+        let what = "What is left of a pose's rotation for the last joints";
+        self.method(text, what, &solver.rest, Given::RowsAndPose(0, n), Gives::Matrix);
+        self.command(text);
+        line!(text, "}}");
+        let branch = match &short.carrier {
+            Carrier::Three(_) => "ArmPosture",
+            Carrier::Two(_) => "Elbow",
+        };
+        let entry =
+            Entry { name: "InverseKinematics", branch, method: "ik", given: Given::Pose, solver: "short" };
+        self.entry(text, &entry);
     }
 
     fn entry(&self, text: &mut String, entry: &Entry) {

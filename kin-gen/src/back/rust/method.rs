@@ -17,8 +17,8 @@ pub(super) enum Given {
     Rows(usize),
     /// A pose.
     Pose,
-    /// The row values of three joints, together, and a pose; the first of them, counted from 0.
-    RowsAndPose(usize),
+    /// The row values of some joints, together, and a pose: the first of them, counted from 0, and how many.
+    RowsAndPose(usize, usize),
     /// A point.
     Point,
     /// A rotation, by its name: `r36`.
@@ -54,7 +54,7 @@ impl Printer<'_> {
                 (1..=3).map(|j| format!("q{}: T", first + j)).collect::<Vec<_>>().join(", ")
             }
             Given::Pose => format!("pose: &{krate}::Pose<T>"),
-            Given::RowsAndPose(_) => format!("rows: [T; 3], pose: &{krate}::Pose<T>"),
+            Given::RowsAndPose(_, count) => format!("rows: [T; {count}], pose: &{krate}::Pose<T>"),
             Given::Point => format!("point: &{krate}::Point3<T>"),
             Given::Rotation(name) => format!("{name}: &{krate}::Matrix3<T>"),
         }
@@ -127,7 +127,9 @@ impl Printer<'_> {
         let bind = |joints: Range<usize>| joints.map(name).collect::<Vec<_>>().join(", ");
         match given {
             Given::Joints => line!(text, "let [[{}]] = q.data.0;", bind(0..self.count())),
-            Given::RowsAndPose(first) => line!(text, "let [{}] = rows;", bind(first..first + 3)),
+            Given::RowsAndPose(first, count) => {
+                line!(text, "let [{}] = rows;", bind(first..first + count));
+            }
             Given::Rows(_) | Given::Pose | Given::Point | Given::Rotation(_) => {}
         }
     }
@@ -215,7 +217,7 @@ fn bind_entries(text: &mut String, program: &Program, given: Given) {
     let used = |e: usize| program.steps.iter().any(|s| s.op == Op::Entry(e));
     let entry = |e: usize| if used(e) { entry_name(e) } else { "_".to_owned() };
     let (rotation, position) = match given {
-        Given::Pose | Given::RowsAndPose(_) => ("pose.rotation.matrix()", "pose.translation.vector"),
+        Given::Pose | Given::RowsAndPose(..) => ("pose.rotation.matrix()", "pose.translation.vector"),
         Given::Rotation(name) => (name, ""),
         Given::Point => ("", "point.coords"),
         Given::Joints | Given::Rows(_) => return,

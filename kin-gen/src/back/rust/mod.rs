@@ -26,6 +26,7 @@ pub fn items(arm: &Arm, krate: &str) -> String {
             printer.pose_inverse(&mut text, solver);
         }
         Solver::Shoulder(solver) => printer.shoulder_inverse(&mut text, solver),
+        Solver::Short(solver) => printer.short_inverse(&mut text, solver),
         Solver::Position(solver) => printer.position_inverse(&mut text, solver),
         Solver::None { reason, .. } => printer.no_inverse(&mut text, reason),
     }
@@ -112,8 +113,9 @@ impl Printer<'_> {
     }
 
     fn dynamic(&self, text: &mut String) {
-        let kind = match self.arm.solver {
-            Solver::Pose(_) | Solver::Shoulder(_) => "pose",
+        let kind = match &self.arm.solver {
+            Solver::Pose(_) | Solver::Shoulder(_) | Solver::Short(_) => "pose",
+            Solver::Position(solver) if solver.pose.is_some() => "both",
             Solver::Position(_) => "position",
             Solver::None { .. } => "plain",
         };
