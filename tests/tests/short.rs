@@ -359,4 +359,8 @@ fn a_planar_arm_of_three_links_has_poses_and_no_positions() {
     );
     let refusal = derived.expect_err("it has no positions");
     assert!(refusal.contains("move the point that they carry in a surface only"), "{refusal}");
+    let planar = kin_gen::compile_text(<robots::Planar3 as Arm<3>>::TABLE).expect("it compiles");
+    let sentence =
+        "`Planar3` has no inverse kinematics from a position: a position alone would leave joints free";
+    assert!(kin_gen::back::rust::items(&planar, "::kin_runtime").contains(sentence));
 }

@@ -73,7 +73,7 @@ impl<A: SolveShoulder<6>> View for FromTool<'_, A> {
     }
 
     fn joint(base: u8) -> u8 {
-        5 - base
+        5_u8.saturating_sub(base)
     }
 
     fn branch(base: ArmPosture, bend: Bend) -> ShoulderPosture {

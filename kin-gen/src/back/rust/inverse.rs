@@ -165,8 +165,25 @@ impl Printer<'_> {
 
     /// The sentence for whoever asks an arm that has no inverse.
     pub(super) fn no_inverse(&self, text: &mut String, reason: &str) {
+        let methods = [("ik", "Pose", "Posture"), ("ik_position", "Point3", "ArmPosture")];
+        self.refuse(text, "inverse kinematics", reason, &methods);
+    }
+
+    /// The sentence for whoever asks an arm for a position that would leave joints free.
+    pub(super) fn no_position(&self, text: &mut String) {
+        let reason = "a position alone would leave joints free in every solution; `ik` takes a pose";
+        self.refuse(
+            text,
+            "inverse kinematics from a position",
+            reason,
+            &[("ik_position", "Point3", "ArmPosture")],
+        );
+    }
+
+    /// Methods, each with its argument and its labels, that cannot be called, and why.
+    fn refuse(&self, text: &mut String, what: &str, reason: &str, methods: &[(&str, &str, &str)]) {
         let (name, krate) = (&self.arm.name, self.krate);
-        let sentence = format!("`{name}` has no inverse kinematics: {reason}");
+        let sentence = format!("`{name}` has no {what}: {reason}");
         let sentence = format!("{:?}", sentence.replace('{', "(").replace('}', ")"));
         line!(text, "const _: () = {{");
         line!(text, "/// No number is one: it carries the sentence that says why.");
@@ -178,8 +195,7 @@ impl Printer<'_> {
         // With one implementation that is not to be spoken of, rustc does not propose to write the first one.
         line!(text, "#[diagnostic::do_not_recommend]\nimpl NoInverse for {name} {{}}");
         line!(text, "{ATTRIBUTES}\nimpl {name} {{");
-        for (method, argument, branch) in [("ik", "Pose", "Posture"), ("ik_position", "Point3", "ArmPosture")]
-        {
+        for (method, argument, branch) in methods {
             // Its result is what the loop over the solutions expects, so that the sentence stands alone.
             line!(text, "/// Not derived for this arm: {reason}.");
             line!(text, "pub fn {method}<T: {krate}::Float + NoInverse>(&self, _: &{krate}::{argument}<T>)");

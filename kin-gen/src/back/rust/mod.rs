@@ -26,7 +26,10 @@ pub fn items(arm: &Arm, krate: &str) -> String {
             printer.pose_inverse(&mut text, solver);
         }
         Solver::Shoulder(solver) => printer.shoulder_inverse(&mut text, solver),
-        Solver::Short(solver) => printer.short_inverse(&mut text, solver),
+        Solver::Short(solver) => {
+            printer.short_inverse(&mut text, solver);
+            printer.no_position(&mut text);
+        }
         Solver::Position(solver) => printer.position_inverse(&mut text, solver),
         Solver::None { reason, .. } => printer.no_inverse(&mut text, reason),
     }
