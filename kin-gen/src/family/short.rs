@@ -73,17 +73,17 @@ pub(super) fn short(home: &mut Home<'_>) -> Result<Short, Refusal> {
     home.require_fixed_directions()?;
     let joints = home.axes.len();
     let order = order(home);
-    let mut last = Refusal::new("none of its points is carried by two or three joints alone");
+    let mut first = None;
     for carriers in [3, 2] {
         if carriers > joints || joints - carriers > 2 {
             continue;
         }
         match with_carriers(home, carriers, &order) {
             Ok(short) => return Ok(short),
-            Err(refusal) => last = refusal,
+            Err(refusal) => first = first.or(Some(refusal)),
         }
     }
-    Err(last)
+    Err(first.unwrap_or_else(|| Refusal::new("none of its points is carried by two or three joints alone")))
 }
 
 /// The joints in the order in which they are solved.

@@ -23,7 +23,7 @@
 //! }
 //! ```
 //!
-//! Everything is normalised as in [`singularity`](crate::singularity): linear rows divided by the arm's reach.
+//! Everything is normalised as in [`crate::singularity`]: linear rows divided by the arm's reach.
 
 mod bounds;
 mod factors;
