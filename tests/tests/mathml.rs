@@ -118,6 +118,9 @@ fn factors_of_the_determinant_multiply_to_it() {
     let mut factored = 0;
     for table in robots::ALL.iter().map(|arm| arm.table()) {
         let (arm, book) = formulas(table);
+        // A spherical wrist behind three joints, or three joints alone.
+        let wanted = book.fused.wrist_centre.is_some() || arm.joints.len() == 3;
+        assert_eq!(book.determinant.is_some(), wanted, "{}", arm.name);
         let Some(determinant) = &book.determinant else { continue };
         factored += 1;
         let reach = arm.reach.as_f64().expect("constant lengths");
@@ -136,7 +139,7 @@ fn factors_of_the_determinant_multiply_to_it() {
             assert!((found - expected).abs() < 1e-12 * reach.powi(3), "{} {found} {expected}", arm.name);
         }
     }
-    assert_eq!(factored, 21, "all arms that have an inverse");
+    assert!(factored >= 21, "{factored}");
 }
 
 /// The factors of the lab arm's determinant are those that its singularities are known by.
