@@ -23,11 +23,12 @@ fn every_arm_of_the_family_is_declared() {
     for arm in &family {
         assert!(declared.contains(arm.name.as_str()), "{}", arm.name);
     }
-    for name in ["stanford", "ur5", "panda", "seed004_3dof"] {
+    let short = ["al5d", "cobra600", "orion5", "planar3", "twolink"];
+    for name in ["stanford", "ur5", "panda", "seed004_3dof"].into_iter().chain(short) {
         assert!(declared.contains(name), "{name}");
     }
     let inverses = declared::all().iter().filter(|arm| arm.inverse.is_some()).count();
-    assert_eq!(inverses, 20);
+    assert_eq!(inverses, 25);
 }
 
 #[test]
@@ -41,7 +42,7 @@ fn every_reference_table_reads_as_a_declaration() {
 #[test]
 fn arms_list_themselves() {
     let names: BTreeSet<_> = robots::ALL.iter().map(|arm| arm.name()).collect();
-    assert_eq!((robots::ALL.len(), names.len()), (23, 23));
+    assert_eq!((robots::ALL.len(), names.len()), (28, 28));
     for arm in robots::ALL {
         // What an arm says about itself can be derived again.
         let derived = kin_gen::compile_text(arm.table()).unwrap_or_else(|e| panic!("{}: {e}", arm.name()));
