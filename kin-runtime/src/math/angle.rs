@@ -21,13 +21,13 @@ const ARCTANGENT: [f64; 12] = [
     0.02743543789131395,
     -0.010117170492241789,
 ];
-/// Above this the sum of two coordinates may overflow: both are made smaller first.
+/// Above this the sum of two coordinates may overflow.
 const LARGE: f64 = f64::MAX / 4.0;
 
 /// The angle of the vector (x, y), in [-π, π]. Signs of zeros count, and infinities are directions, as in IEEE 754.
 #[inline]
 pub(super) fn atan2(y: f64, x: f64) -> f64 {
-    straight(y, x)
+    if is_usual(y, x) { usual(y, x) } else { unusual(y, x) }
 }
 
 /// Angles side by side, each with the bits that [`atan2`] gives.
@@ -35,34 +35,69 @@ pub(super) fn atan2(y: f64, x: f64) -> f64 {
 pub(super) fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
     let mut angles = y;
     for (angle, x) in angles.iter_mut().zip(&x) {
-        *angle = straight(*angle, *x);
+        *angle = usual(*angle, *x);
+    }
+    // Without `all`, whose early return is a branch for each lane.
+    if !y.iter().zip(&x).fold(true, |usual, (y, x)| usual & is_usual(*y, *x)) {
+        repair(&y, &x, &mut angles);
     }
     angles
 }
 
+/// Puts right what the usual way cannot know.
+#[cold]
+fn repair(y: &[f64], x: &[f64], angles: &mut [f64]) {
+    for ((y, x), angle) in y.iter().zip(x).zip(angles) {
+        *angle = atan2(*y, *x);
+    }
+}
+
+/// Whether the quotient of the coordinates and their sum are numbers.
 #[inline(always)]
-fn straight(y: f64, x: f64) -> f64 {
+fn is_usual(y: f64, x: f64) -> bool {
+    let (rise, run) = (y.abs(), x.abs());
+    // No comparison holds of what is not a number; a sum is zero only where both are.
+    (rise <= LARGE) & (run <= LARGE) & (rise + run > 0.0)
+}
+
+/// The angle of infinite, enormous, absent and undefined vectors.
+#[cold]
+fn unusual(y: f64, x: f64) -> f64 {
+    if x.is_nan() | y.is_nan() {
+        return f64::NAN;
+    }
+    // Of two infinities the direction alone counts, and the zero vector has that of its signs.
+    let finite = |size: f64, other: f64| match () {
+        () if size < f64::INFINITY => if other < f64::INFINITY { size * 0.25 } else { 0.0 },
+        () => 1.0,
+    };
+    let (rise, run) = (y.abs(), x.abs());
+    let (rise, run) = (finite(rise, run), finite(run, rise));
+    let run = if (rise == 0.0) & (run == 0.0) { 1.0 } else { run };
+    usual(rise.copysign(y), run.copysign(x))
+}
+
+/// The angle of a vector with [usual](is_usual) coordinates; of others, nothing of meaning.
+#[inline(always)]
+fn usual(y: f64, x: f64) -> f64 {
     let (rise, run) = (y.abs(), x.abs());
     let steep = rise > run;
-    let (least, most) = if steep { (run, rise) } else { (rise, run) };
-    // Of two infinities the direction alone counts, and the zero vector has that of its signs.
-    let infinite = least == f64::INFINITY;
-    let least = if infinite { 1.0 } else { least };
-    let most = if infinite | (most == 0.0) { 1.0 } else { most };
-    let scale = if most > LARGE { 0.25 } else { 1.0 };
-    let (least, most) = (least * scale, most * scale);
+    let least = if steep { run } else { rise };
+    let most = if steep { rise } else { run };
     // In the upper half the eighth of a turn is taken off: tan(φ - π/4) = (a - b)/(a + b), the difference exact.
     let upper = least + least > most;
-    let (above, below) = if upper { (least - most, least + most) } else { (least, most) };
+    let above = least - if upper { most } else { 0.0 };
+    let below = most + if upper { least } else { 0.0 };
     let t = above / below;
     let bend = t * (t * t) * polynomial(t * t);
     // The octant says how many eighths of a turn there are besides, and whether the angle counts back from them.
     let eighths = if upper { 1.0 } else { 0.0 };
-    let (eighths, forth) = if steep { (2.0 - eighths, -1.0) } else { (eighths, 1.0) };
+    let eighths = if steep { 2.0 - eighths } else { eighths };
     let back = x.is_sign_negative();
-    let (eighths, forth) = if back { (4.0 - eighths, -forth) } else { (eighths, forth) };
+    let eighths = if back { 4.0 - eighths } else { eighths };
+    let forth = if steep != back { -1.0 } else { 1.0 };
     let angle = eighths * FRAC_PI_4 + (forth * t + (eighths * EIGHTH_REST - forth * bend));
-    if x.is_nan() | y.is_nan() { f64::NAN } else { angle.copysign(y) }
+    angle.copysign(y)
 }
 
 /// As [`super::sine`]'s, in three groups of four.

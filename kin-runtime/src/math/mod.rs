@@ -62,6 +62,16 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
     const TURN: (Self, Self);
     /// The angle of the plane vector (x, y), in [-π, π]; 0 for the zero vector.
     fn atan2(y: Self, x: Self) -> Self;
+    /// The angles of several plane vectors: the bits of [`atan2`](Float::atan2), in less time where the type can have
+    /// them side by side.
+    #[inline]
+    fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        let mut angles = y;
+        for (angle, x) in angles.iter_mut().zip(x) {
+            *angle = Float::atan2(*angle, x);
+        }
+        angles
+    }
     /// √(x² + y²) without overflow on the way.
     fn hypot(x: Self, y: Self) -> Self;
     /// The largest whole number not above `self`.
@@ -91,6 +101,10 @@ impl Float for f64 {
     const TURN: (Self, Self) = (core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
     fn atan2(y: Self, x: Self) -> Self {
         angle::atan2(y, x)
+    }
+    #[inline]
+    fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        angle::atan2_lanes(y, x)
     }
     fn hypot(x: Self, y: Self) -> Self {
         libm::hypot(x, y)
@@ -125,6 +139,10 @@ impl Float for f32 {
     const TURN: (Self, Self) = (core::f32::consts::TAU, -1.748_455_6e-7);
     fn atan2(y: Self, x: Self) -> Self {
         angle::atan2(f64::from(y), f64::from(x)) as f32
+    }
+    #[inline]
+    fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        angle::atan2_lanes(y.map(f64::from), x.map(f64::from)).map(|angle| angle as f32)
     }
     fn hypot(x: Self, y: Self) -> Self {
         libm::hypotf(x, y)

@@ -70,9 +70,7 @@ fn usual(x: f64) -> (f64, f64) {
     let [first, second, third] = QUARTER;
     let (far, step) = (x - quarters * first, quarters * second);
     let near = far - step;
-    let lost = quarters * third - ((far - near) - step);
-    let r = near - lost;
-    turned(whole.to_bits(), r, lost - (near - r))
+    turned(whole.to_bits(), near, quarters * third - ((far - near) - step))
 }
 
 /// Sine and cosine of an angle of unusual size, or of none.
@@ -85,14 +83,15 @@ fn unusual(x: f64) -> (f64, f64) {
     turned(quarters, r, over)
 }
 
-/// Sine and cosine of so many quarter turns and the angle r - over, |r| ≤ π/4 and `over` a rounding error of r.
+/// Sine and cosine of so many quarter turns and the angle r - over, |r| ≤ π/4. What is over is either less than a last
+/// place of r, or r is so small that its square is nothing beside 1.
 ///
-/// Differences are written such that -0 keeps its sign.
+/// Differences are written such that -0 keeps its sign, and that what is small is rounded before it is added.
 #[inline(always)]
 fn turned(quarters: u64, r: f64, over: f64) -> (f64, f64) {
     let z = r * r;
+    let sine = r - (over + (z * r) * polynomial(&SINE, z));
     let half = 0.5 * z;
-    let sine = r - (over * (1.0 - half) + (z * r) * polynomial(&SINE, z));
     let most = 1.0 - half;
     let cosine = most + (((1.0 - most) - half) + (z * z * polynomial(&COSINE, z) + r * over));
     // An odd number of quarters exchanges the two; bit 1 of the number is the sign of the sine, that of the next
