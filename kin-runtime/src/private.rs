@@ -1,10 +1,11 @@
 //! What generated code calls: no part of the public promise, and liable to change with the generator.
 
 pub use crate::__dyn_arm as dyn_arm;
+pub use crate::ik::wrist::Rows;
 pub use crate::math::{abs, atan2, hypot};
 
 use crate::arm::{Arm, SphericalWrist};
-use crate::ik::wrist::{self, Rows};
+use crate::ik::wrist;
 use crate::ik::{Base, Carrier, PairBase, Turns, Wrist};
 use crate::math::{Float, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};
@@ -25,6 +26,40 @@ pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
     fn command<T: Real>(&self, rows: [T; N]) -> [T; N];
     /// The row values of commanded values: the inverse of `command`.
     fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
+
+    /// How many angles [`wrist_rotation`](SolveWrist::wrist_rotation) takes the sines and cosines of.
+    const WRIST_TURNS: usize = 0;
+    /// How many forward kinematics does.
+    const FK_TURNS: usize = 0;
+    /// For an orthogonal wrist, where the methods below are its own: from its figure angles to row values.
+    fn orthogonal_wrist<T: Float>(&self) -> Option<Rows<T>> {
+        None
+    }
+    /// The angles of `wrist_rotation`; zero beyond.
+    #[inline(always)]
+    fn wrist_turns<T: Real>(&self, _: [T; 3]) -> [T; 8] {
+        [T::lit(0.0); 8]
+    }
+    /// `wrist_rotation`, once their sines and cosines are known.
+    #[inline(always)]
+    fn wrist_turned<T: Real>(&self, rows: [T; 3], pose: &Pose<T>, _: [T; 8], _: [T; 8]) -> Matrix3<T> {
+        self.wrist_rotation(rows, pose)
+    }
+    /// Rz(a)·Ry(b)·Rz(c) of the figure angles, by rows, from the rotation between frames 3 and 6.
+    #[inline(always)]
+    fn wrist_matrix<T: Real>(&self, r36: &Matrix3<T>) -> [[T; 3]; 3] {
+        pose::matrix_rows(r36)
+    }
+    /// The angles of forward kinematics; zero beyond.
+    #[inline(always)]
+    fn fk_turns<T: Real>(&self, _: &Joints<T, N>) -> [T; 8] {
+        [T::lit(0.0); 8]
+    }
+    /// Forward kinematics, once their sines and cosines are known.
+    #[inline(always)]
+    fn fk_turned<T: Real>(&self, q: &Joints<T, N>, _: [T; 8], _: [T; 8]) -> Pose<T> {
+        self.fk(q)
+    }
 }
 
 /// What the solver of arms with a spherical shoulder asks of one.

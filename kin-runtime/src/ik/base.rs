@@ -16,10 +16,11 @@
 
 use crate::geometry::{Chord, Span, circle_meets_circle, circle_meets_plane, turn};
 use crate::ik::ROUND_OFF;
+use crate::ik::elbow::{self, Seen};
 use crate::ik::general::GeneralBase;
 use crate::ik::wrist::{figure_angle, row_length, row_value};
 use crate::math::{self, Float};
-use crate::solutions::{ArmPosture, Boundary, Branch, Elbow, Reason, Shoulder};
+use crate::solutions::{ArmPosture, Boundary, Branch, Reason, Shoulder};
 
 /// The constants of the first three joints: generated code writes them, or a run-time loader.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -130,11 +131,10 @@ struct Plane<T> {
     free: bool,
 }
 
-/// How the links or the slide close over a distance: the direction of the wrist centre less ψ2, and the row value of
-/// joint 3.
+/// How the links or the slide close over a distance: with the elbow up and down, the direction of the wrist centre less
+/// ψ2, and the row value of joint 3.
 struct Figure<T> {
-    lean: T,
-    t3: T,
+    ways: [(T, T); 2],
     margin: T,
     free: bool,
 }
@@ -179,51 +179,80 @@ impl<T: Float> Planar<'_, T> {
     fn place(&self, p: [T; 3], size: T, hold: [Option<T>; 2]) -> Placements<T> {
         let (stand, window) = (self.stand(), T::lit(ROUND_OFF) * T::EPS * size);
         let sight = stand.sight(p, window);
-        ArmPosture::slots(|posture| {
-            let plane = stand.plane(p, &sight, posture.shoulder, hold)?;
-            self.close(&stand, &plane, posture, window, hold).or_else(|open| {
-                // Near the touching of the first figure its round-off is amplified in x: a boundary of the second
-                // that is missed by no more than that is reached. And where joint 1 is free but for round-off, the
-                // wrist centre's own azimuth reaches a boundary that the convention misses.
-                let nudged = if plane.free {
-                    Some(stand.own(&sight, posture.shoulder))
-                } else {
-                    stand.nudged(&plane, &sight, open.boundary, window)
-                };
-                let closed = nudged.and_then(|plane| self.close(&stand, &plane, posture, window, hold).ok());
-                closed.ok_or(open.reason)
-            })
+        let carefully = |side| match stand.plane(p, &sight, side, hold) {
+            Ok(plane) => self
+                .elbows(&stand, &sight, &plane, side, window, hold)
+                .map_or_else(|reason| [Err(reason); 2], |placed| placed.map(Ok)),
+            Err(reason) => [Err(reason); 2],
+        };
+        let [right, left] = match (self, sight.chord) {
+            (Planar::Elbow(base), Chord::Cut(half)) if half > window => {
+                let Sight { azimuth, across, v, .. } = sight;
+                elbow::both_shoulders(base, &Seen { azimuth, across, half, v }, window)
+            }
+            _ => [None; 2],
+        };
+        let side = |regular: Option<[Placed<T>; 2]>, side| match regular {
+            Some(placed) => placed.map(Ok),
+            None => carefully(side),
+        };
+        let ([right_up, right_down], [left_up, left_down]) =
+            (side(right, Shoulder::Right), side(left, Shoulder::Left));
+        [right_up, right_down, left_up, left_down]
+    }
+
+    /// Up and down, once joint 1 is set, or nearly so.
+    fn elbows(
+        &self,
+        stand: &Stand<T>,
+        sight: &Sight<T>,
+        plane: &Plane<T>,
+        side: Shoulder,
+        window: T,
+        hold: [Option<T>; 2],
+    ) -> Result<[Placed<T>; 2], Reason<T>> {
+        self.close(stand, plane, side, window, hold).or_else(|open| {
+            // Near the touching of the first figure its round-off is amplified in x: a boundary of the second
+            // that is missed by no more than that is reached. And where joint 1 is free but for round-off, the
+            // wrist centre's own azimuth reaches a boundary that the convention misses.
+            let nudged = if plane.free {
+                Some(stand.own(sight, side))
+            } else {
+                stand.nudged(plane, sight, open.boundary, window)
+            };
+            let closed = nudged.and_then(|plane| self.close(stand, &plane, side, window, hold).ok());
+            closed.ok_or(open.reason)
         })
     }
 
-    /// Joints 2 and 3, once joint 1 is set.
+    /// Joints 2 and 3 with the elbow up and down, once joint 1 is set.
     fn close(
         &self,
         stand: &Stand<T>,
         plane: &Plane<T>,
-        posture: ArmPosture,
+        side: Shoulder,
         window: T,
         hold: [Option<T>; 2],
-    ) -> Result<Placed<T>, Open<T>> {
+    ) -> Result<[Placed<T>; 2], Open<T>> {
         let distance = math::hypot(plane.x, plane.v);
         let figure = match self {
-            Planar::Elbow(base) => base.span(posture, distance, window),
-            Planar::Telescope(base) => base.slide(posture, distance, window),
+            Planar::Elbow(base) => base.span(side, distance, window),
+            Planar::Telescope(base) => base.slide(distance, window),
         };
         let figure = figure.map_err(|open| Open { reason: open.reason.at(plane.t1), ..open })?;
         let [_, held] = hold;
-        let t2 = if figure.free {
-            held.map_or(T::lit(0.0), math::wrap)
-        } else {
-            stand.second(math::atan2(plane.v, plane.x) - figure.lean)
-        };
-        Ok(Placed {
-            rows: [plane.t1, t2, figure.t3],
-            shoulder: if plane.free { T::lit(0.0) } else { math::abs(plane.x + stand.a1) },
-            elbow: figure.margin,
-            shoulder_free: plane.free,
-            elbow_free: figure.free,
-        })
+        let towards = math::atan2(plane.v, plane.x);
+        Ok(figure.ways.map(|(lean, t3)| {
+            let t2 =
+                if figure.free { held.map_or(T::lit(0.0), math::wrap) } else { stand.second(towards - lean) };
+            Placed {
+                rows: [plane.t1, t2, t3],
+                shoulder: if plane.free { T::lit(0.0) } else { math::abs(plane.x + stand.a1) },
+                elbow: figure.margin,
+                shoulder_free: plane.free,
+                elbow_free: figure.free,
+            }
+        }))
     }
 
     fn is_finite(&self) -> bool {
@@ -317,7 +346,7 @@ impl<T: Float> Stand<T> {
 
 impl<T: Float> ElbowBase<T> {
     /// The elbow: two links span the distance.
-    fn span(&self, posture: ArmPosture, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
+    fn span(&self, side: Shoulder, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
         let (bend, free) = match circle_meets_circle(self.upper, self.fore, distance, window) {
             Span::Bend(bend) => (bend, false),
             Span::Free => (math::half_turn(), true),
@@ -334,21 +363,21 @@ impl<T: Float> ElbowBase<T> {
         };
         // Seen along z2, a forearm that bends back downwards leaves the elbow up; over the back it is the other way,
         // and so it is where axis 2 points to the other side.
-        let back = posture.shoulder == Shoulder::Left;
+        let back = side == Shoulder::Left;
         let mirrored = self.twist.0 < T::lit(0.0);
-        let up = posture.elbow == Elbow::Up;
-        let psi3 = if up != (back != mirrored) { -bend } else { bend };
+        let up = if back == mirrored { -bend } else { bend };
         let ([_, _, offset], [_, _, reversed]) = (self.offset, self.reversed);
-        let (s3, c3) = math::sin_cos(psi3);
+        let (s3, c3) = math::sin_cos(up);
         let lean = math::atan2(self.fore * s3, self.upper + self.fore * c3);
         let margin = math::min(bend, math::half_turn::<T>() - bend);
-        Ok(Figure { lean, t3: row_value(psi3, offset, reversed), margin, free })
+        let ways = [(lean, up), (-lean, -up)].map(|(lean, psi3)| (lean, row_value(psi3, offset, reversed)));
+        Ok(Figure { ways, margin, free })
     }
 }
 
 impl<T: Float> TelescopeBase<T> {
     /// The slide: a right triangle of the arm b and the extension s.
-    fn slide(&self, posture: ArmPosture, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
+    fn slide(&self, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
         let ([_, _, offset], [_, _, reversed]) = (self.offset, self.reversed);
         let (extension, free) = match circle_meets_plane(distance, self.arm, window) {
             Chord::Cut(half) => (half, false),
@@ -358,9 +387,10 @@ impl<T: Float> TelescopeBase<T> {
                 return Err(Open { boundary, reason: Reason::beyond(by, Boundary::InnerCircle) });
             }
         };
-        let s = if posture.elbow == Elbow::Up { extension } else { -extension };
-        let t3 = row_length(s, offset, reversed);
-        Ok(Figure { lean: math::atan2(s, self.arm), t3, margin: extension, free })
+        let lean = math::atan2(extension, self.arm);
+        let ways =
+            [(lean, extension), (-lean, -extension)].map(|(lean, s)| (lean, row_length(s, offset, reversed)));
+        Ok(Figure { ways, margin: extension, free })
     }
 }
 

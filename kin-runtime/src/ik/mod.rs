@@ -28,6 +28,7 @@
 pub mod base;
 pub mod closest;
 pub mod conic;
+mod elbow;
 pub mod general;
 mod lines;
 pub mod pair;
@@ -36,6 +37,7 @@ pub mod quartic;
 pub(crate) mod settle;
 mod sheaf;
 pub mod short;
+mod side;
 mod sphere;
 pub mod spherical_shoulder;
 pub mod spherical_wrist;

@@ -5,12 +5,13 @@
 //! which.
 
 use crate::arm::Arm;
-use crate::ik::base::Placed;
+use crate::ik::base::{Placed, Placements};
+use crate::ik::side::{self, Four};
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::Wrist;
 use crate::ik::{ACCEPTED, Base, ROUND_OFF, given_out, sliding};
-use crate::math::{self, Float};
-use crate::pose::Pose;
+use crate::math::{self, Float, Real};
+use crate::pose::{self, Pose};
 use crate::solutions::{
     ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions,
 };
@@ -34,7 +35,7 @@ pub(crate) trait View {
     /// The row values that produce a rotation.
     fn angles<T: Float>(&self, rotation: &Matrix3<T>) -> Wrist<T>;
     /// The commanded values of row values.
-    fn command<T: Float>(&self, rows: [T; 6]) -> [T; 6];
+    fn command<T: Real>(&self, rows: [T; 6]) -> [T; 6];
 
     /// All row values, from those of the base and of the sphere.
     fn joined<T>(base: [T; 3], sphere: [T; 3]) -> [T; 6];
@@ -58,39 +59,69 @@ pub(crate) fn solve<T: Float, V: View>(
     pose: &Pose<T>,
     hold: [Option<T>; 6],
 ) -> Solutions<T, 6, V::Branch> {
-    let (sliding, base) = (sliding(&V::Arm::JOINTS), view.base::<T>());
+    let base = view.base::<T>();
     let target = match Target::new(pose, &base) {
         Ok(target) => target,
-        Err(reason) => return Solutions::none(sliding, reason),
+        Err(reason) => return Solutions::none(sliding(&V::Arm::JOINTS), reason),
     };
+    let ([first, second, _], _) = V::apart(hold);
+    let placements = base.place(view.centre(&target.pose), target.scale, [first, second]);
+    solve_placed(view, target, &placements, hold)
+}
+
+/// All solutions, once it is known where the base can be.
+pub(crate) fn solve_placed<T: Float, V: View>(
+    view: &V,
+    target: Target<T>,
+    placements: &Placements<T>,
+    hold: [Option<T>; 6],
+) -> Solutions<T, 6, V::Branch> {
     let ([first, second, _], [outer, _, _]) = V::apart(hold);
-    let held = [first, second];
-    let placements = base.place(view.centre(&target.pose), target.scale, held);
-    let task = Task { view, target, held, outer };
-    let mut solutions = Solutions::none(sliding, Reason::NotFinite);
-    for (count, posture) in ArmPosture::ALL.iter().enumerate() {
-        let placement = posture.of(&placements);
+    let task = Task { view, target, held: [first, second], outer };
+    let mut plans = [[Plan::Empty(Reason::NotFinite); 2]; 4];
+    for (count, (posture, both)) in ArmPosture::ALL.iter().zip(&mut plans).enumerate() {
+        let placement = posture.of(placements);
         let mut earlier = ArmPosture::ALL.iter().take(count);
-        let [noflip, flip] = match (placement, earlier.find(|earlier| earlier.of(&placements) == placement)) {
-            (Err(reason), _) => [Slot::Empty(V::reason(*reason)); 2],
-            (Ok(_), Some(same)) => {
-                [Bend::NoFlip, Bend::Flip].map(|bend| once_more(&solutions, V::branch(*same, bend)))
-            }
+        *both = match (placement, earlier.find(|earlier| earlier.of(placements) == placement)) {
+            (Err(reason), _) => [Plan::Empty(V::reason(*reason)); 2],
+            (Ok(_), Some(same)) => [Bend::NoFlip, Bend::Flip].map(|bend| Plan::Again(V::branch(*same, bend))),
             (Ok(placed), None) => task.bend(*posture, placed),
         };
-        solutions.put(V::branch(*posture, Bend::NoFlip), noflip);
-        solutions.put(V::branch(*posture, Bend::Flip), flip);
     }
-    solutions.merge(base.reach());
+    let mut solutions = Solutions::none(sliding(&V::Arm::JOINTS), Reason::NotFinite);
+    for (bend, flip) in [(Bend::NoFlip, false), (Bend::Flip, true)] {
+        let plans = plans.each_ref().map(|[noflip, with]| if flip { with } else { noflip });
+        let (q, residuals) = task.tried(plans);
+        for (lane, (posture, plan)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
+            let branch = V::branch(*posture, bend);
+            let slot = match plan {
+                Plan::Try(_, margins, free) => match accepted(residuals.lane(lane)) {
+                    Ok(residual) => {
+                        let q = pose::column(q.each_ref().map(|value| value.lane(lane)));
+                        Slot::Solved(Solution { branch, q, residual, margins: *margins, free: *free })
+                    }
+                    Err(reason) => Slot::Empty(reason),
+                },
+                Plan::Again(with) => Slot::Merged { with: *with },
+                Plan::Empty(reason) => Slot::Empty(*reason),
+            };
+            solutions.put(branch, slot);
+        }
+    }
+    solutions.settle_mergers();
+    solutions.merge(task.view.base::<T>().reach());
     solutions
 }
 
-/// The slot of a branch that differs from an earlier one only by its name.
-fn once_more<T: Float, B: Branch>(solutions: &Solutions<T, 6, B>, earlier: B) -> Slot<T, 6, B> {
-    match *solutions.get(earlier) {
-        Slot::Solved(_) => Slot::Merged { with: earlier },
-        merged_or_empty => merged_or_empty,
-    }
+/// What is to become of one slot.
+#[derive(Clone, Copy)]
+enum Plan<T: Float, B> {
+    /// Row values that forward kinematics may confirm, and what is known of them.
+    Try([T; 6], Margins<T>, Free<6>),
+    /// What becomes of another slot: the two branches differ by their names only.
+    Again(B),
+    /// It stays empty.
+    Empty(Reason<T>),
 }
 
 /// What is asked of an arm: the pose, and row values for coordinates that it leaves free.
@@ -105,32 +136,26 @@ struct Task<'a, T: Float, V> {
 
 impl<T: Float, V: View> Task<'_, T, V> {
     /// The two slots of one placement of the wrist centre.
-    fn bend(&self, posture: ArmPosture, placed: &Placed<T>) -> [Slot<T, 6, V::Branch>; 2] {
+    fn bend(&self, posture: ArmPosture, placed: &Placed<T>) -> [Plan<T, V::Branch>; 2] {
         let (rows, wrist) = self.reached(placed);
         let wrist = self.decided(rows, wrist);
         let first = placed.shoulder_free.then(|| self.moving(rows, &wrist, 0));
         let second = placed.elbow_free.then(|| self.moving(rows, &wrist, 1));
-        let slot = |bend, wrist_rows, margin, line| {
+        let plan = |sphere, margin, line| {
             let margins = V::margins(placed.shoulder, placed.elbow, margin);
-            let free = V::free(first, second, line);
-            self.checked(V::branch(posture, bend), V::joined(rows, wrist_rows), margins, free)
+            Plan::Try(V::joined(rows, sphere), margins, V::free(first, second, line))
         };
         match wrist {
-            Wrist::Two { noflip, flip, margin, .. } => {
-                [slot(Bend::NoFlip, noflip, margin, None), slot(Bend::Flip, flip, margin, None)]
-            }
+            Wrist::Two { noflip, flip, margin, .. } => [plan(noflip, margin, None), plan(flip, margin, None)],
             Wrist::Family(family) => {
                 let member = self.outer.map_or_else(|| family.even(), |first| family.member(first));
-                let merged = Slot::Merged { with: V::branch(posture, Bend::NoFlip) };
-                match slot(Bend::NoFlip, member, T::lit(0.0), Some(self.line(family.difference))) {
-                    Slot::Empty(reason) => [Slot::Empty(reason); 2],
-                    solved => [solved, merged],
-                }
+                let line = Some(self.line(family.difference));
+                [plan(member, T::lit(0.0), line), Plan::Again(V::branch(posture, Bend::NoFlip))]
             }
             Wrist::OutOfReach { by } => {
                 let [t1, ..] = rows;
                 let reason = Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) };
-                [Slot::Empty(V::reason(reason)); 2]
+                [Plan::Empty(V::reason(reason)); 2]
             }
         }
     }
@@ -173,19 +198,14 @@ impl<T: Float, V: View> Task<'_, T, V> {
         (placed.rows, convention)
     }
 
-    /// The joint values that command these row values, if forward kinematics confirms them.
-    fn checked(
-        &self,
-        branch: V::Branch,
-        rows: [T; 6],
-        margins: Margins<T>,
-        free: Free<6>,
-    ) -> Slot<T, 6, V::Branch> {
-        let q = given_out(self.view.command(rows), &V::Arm::JOINTS);
-        match accepted(self.target.missed_by(&self.view.arm().fk(&q))) {
-            Ok(residual) => Slot::Solved(Solution { branch, q, residual, margins, free }),
-            Err(reason) => Slot::Empty(reason),
-        }
+    /// The joint values that command the planned row values, joint by joint, and how far forward kinematics of them misses
+    /// the pose.
+    fn tried(&self, plans: [&Plan<T, V::Branch>; 4]) -> ([Four<T>; 6], Four<T>) {
+        // Where nothing is to be tried stand zeros.
+        let rows = plans.map(|plan| if let Plan::Try(rows, ..) = plan { *rows } else { [T::lit(0.0); 6] });
+        let q = side::commanded(&V::Arm::JOINTS, self.view.command(side::transposed(rows)));
+        let reached = self.view.arm().fk(&pose::column(q));
+        (q, self.target.missed_by_all(&reached))
     }
 
     /// The direction in which the joints may go when the sphere's outer axes coincide: whole numbers, because couplings are.

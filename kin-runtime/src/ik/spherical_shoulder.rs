@@ -11,7 +11,7 @@
 use crate::ik::sphere::{self, View};
 use crate::ik::wrist::Wrist;
 use crate::ik::{Base, finite};
-use crate::math::Float;
+use crate::math::{Float, Real};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveShoulder;
 use crate::solutions::{
@@ -60,7 +60,7 @@ impl<A: SolveShoulder<6>> View for FromTool<'_, A> {
         self.0.shoulder_angles(rotation)
     }
 
-    fn command<T: Float>(&self, rows: [T; 6]) -> [T; 6] {
+    fn command<T: Real>(&self, rows: [T; 6]) -> [T; 6] {
         self.0.command(rows)
     }
 

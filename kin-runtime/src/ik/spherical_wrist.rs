@@ -4,10 +4,12 @@
 //! pose ─► wrist centre ─► base figures ─► four (t1, t2, t3) ─► ³R₆ = ⁰R₃ᵀ·R ─► wrist ─► eight (t1 … t6) ─► checked q
 //! ```
 
+use crate::ik::side;
 use crate::ik::sphere::{self, View};
+use crate::ik::target::Target;
 use crate::ik::wrist::Wrist;
-use crate::ik::{Base, finite};
-use crate::math::Float;
+use crate::ik::{Base, finite, sliding};
+use crate::math::{Float, Real};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
 use crate::solutions::{ArmPosture, Bend, Free, Loose, Margins, Posture, Reason, Solutions};
@@ -15,7 +17,7 @@ use nalgebra::Matrix3;
 
 /// All solutions; free coordinates by the convention of seed 000.
 pub fn solve<T: Float, A: SolveWrist<6>>(arm: &A, pose: &Pose<T>) -> Solutions<T, 6, Posture> {
-    sphere::solve(&FromBase(arm), pose, [None; 6])
+    solve_choosing(arm, pose, [None; 6])
 }
 
 /// All solutions; free coordinates keep their values in `hold`, those that are not finite take the convention's.
@@ -24,7 +26,28 @@ pub fn solve_holding<T: Float, A: SolveWrist<6>>(
     pose: &Pose<T>,
     hold: &Joints<T, 6>,
 ) -> Solutions<T, 6, Posture> {
-    sphere::solve(&FromBase(arm), pose, finite(arm.rows(pose::entries(hold))))
+    solve_choosing(arm, pose, finite(arm.rows(pose::entries(hold))))
+}
+
+fn solve_choosing<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    pose: &Pose<T>,
+    hold: [Option<T>; 6],
+) -> Solutions<T, 6, Posture> {
+    let base = arm.base::<T>();
+    let target = match Target::new(pose, &base) {
+        Ok(target) => target,
+        Err(reason) => return Solutions::none(sliding(&A::JOINTS), reason),
+    };
+    let [t1, t2, ..] = hold;
+    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
+    // A slide's singular poses cost so much more than side by side that the worst would be far from the median.
+    if matches!(base, Base::Elbow(_))
+        && let Some(solutions) = side::regular(arm, &target, &placements)
+    {
+        return solutions;
+    }
+    sphere::solve_placed(&FromBase(arm), target, &placements, hold)
 }
 
 /// The arm as it stands.
@@ -54,7 +77,7 @@ impl<A: SolveWrist<6>> View for FromBase<'_, A> {
         self.0.wrist_angles(rotation)
     }
 
-    fn command<T: Float>(&self, rows: [T; 6]) -> [T; 6] {
+    fn command<T: Real>(&self, rows: [T; 6]) -> [T; 6] {
         self.0.command(rows)
     }
 

@@ -1,7 +1,7 @@
 //! The pose to be reached: whether it can be asked for at all, and whether joint values reach it.
 
 use crate::ik::{ACCEPTED, Base};
-use crate::math::{self, Float};
+use crate::math::{self, Float, Lanes};
 use crate::pose::{self, Pose};
 use crate::solutions::{Boundary, Reason};
 
@@ -50,6 +50,34 @@ impl<T: Float> Target<T> {
         let shifted = distance(&position, &other_position) / self.scale;
         distance(&[distance(&turned, &[zero; 3]), shifted, zero], &[zero; 3])
     }
+}
+
+impl<T: Float> Target<T> {
+    /// How far several poses miss this one: see [`Target::missed_by`].
+    pub(crate) fn missed_by_all<const L: usize>(&self, others: &Pose<Lanes<T, L>>) -> Lanes<T, L> {
+        let (([x, y, z], p), ([a, b, c], q)) = (pose::rows(&self.pose), pose::rows(others));
+        let ([x0, x1, x2], [y0, y1, y2], [z0, z1, z2], [p0, p1, p2]) = (x, y, z, p);
+        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2], [q0, q1, q2]) = (a, b, c, q);
+        let mut missed = Lanes::splat(T::lit(0.0));
+        for (lane, missed) in missed.0.iter_mut().enumerate() {
+            let far = |entry: T, other: &Lanes<T, L>| math::abs(entry - other.lane(lane));
+            let (x, sx) = largest([far(x0, &a0), far(x1, &a1), far(x2, &a2)]);
+            let (y, sy) = largest([far(y0, &b0), far(y1, &b1), far(y2, &b2)]);
+            let (z, sz) = largest([far(z0, &c0), far(z1, &c1), far(z2, &c2)]);
+            let (p, sp) = largest([far(p0, &q0), far(p1, &q1), far(p2, &q2)]);
+            let most = math::max(math::max(math::max(x, y), z), p / self.scale);
+            // A comparison lets go of what is not a number; a sum does not.
+            let all = (sx + sy) + (sz + sp);
+            *missed = if math::is_nan(all) { all } else { most };
+        }
+        missed
+    }
+}
+
+/// The largest of three sizes, and their sum.
+#[inline(always)]
+fn largest<T: Float>([a, b, c]: [T; 3]) -> (T, T) {
+    (math::max(math::max(a, b), c), a + b + c)
 }
 
 /// The size of a position, at least the arm's reach.

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Corner, cone_meets_cone};
 use crate::ik::{DOUBTFUL, FAMILY, ROUND_OFF};
-use crate::math::{self, Float};
+use crate::math::{self, Float, Real};
 use crate::pose;
 
 /// What the last three joints can do about a rotation. All values are row values: angles in (-π, π].
@@ -84,7 +84,7 @@ pub fn row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
 }
 
 /// The row value of a figure length.
-pub fn row_length<T: Float>(figure: T, offset: T, reversed: bool) -> T {
+pub fn row_length<T: Real>(figure: T, offset: T, reversed: bool) -> T {
     if reversed { offset - figure } else { figure - offset }
 }
 

@@ -68,7 +68,13 @@ fn unusual(y: f64, x: f64) -> f64 {
     }
     // Of two infinities the direction alone counts, and the zero vector has that of its signs.
     let finite = |size: f64, other: f64| match () {
-        () if size < f64::INFINITY => if other < f64::INFINITY { size * 0.25 } else { 0.0 },
+        () if size < f64::INFINITY => {
+            if other < f64::INFINITY {
+                size * 0.25
+            } else {
+                0.0
+            }
+        }
         () => 1.0,
     };
     let (rise, run) = (y.abs(), x.abs());

@@ -3,7 +3,7 @@
 //! A plain array. Compilers make vectors of it, as wide as the target has them, and every lane has the bits that its
 //! number alone would have.
 
-use super::Real;
+use super::{Float, Real};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `L` numbers side by side. `arm.fk::<Lanes<f64, 8>>(…)` is eight configurations at once, joint by joint.
@@ -14,6 +14,26 @@ impl<T: Copy, const L: usize> Lanes<T, L> {
     /// The same number in every lane.
     pub const fn splat(x: T) -> Self {
         Lanes([x; L])
+    }
+}
+
+impl<T: Float, const L: usize> Lanes<T, L> {
+    /// The angles of the plane vectors (x, y), as [`Float::atan2`].
+    #[inline]
+    pub fn atan2(y: Self, x: Self) -> Self {
+        Lanes(T::atan2_all(y.0, x.0))
+    }
+
+    /// The same angles in (-π, π], as [`wrap`](super::wrap).
+    #[inline]
+    pub fn wrap(self) -> Self {
+        Lanes(super::wrap_all(self.0))
+    }
+
+    /// One of the lanes; zero where there is none of that number.
+    #[inline]
+    pub fn lane(&self, lane: usize) -> T {
+        self.0.get(lane).copied().unwrap_or_else(|| T::lit(0.0))
     }
 }
 

@@ -106,6 +106,7 @@ impl Float for f64 {
     fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         angle::atan2_lanes(y, x)
     }
+    #[inline]
     fn hypot(x: Self, y: Self) -> Self {
         libm::hypot(x, y)
     }
@@ -234,6 +235,32 @@ pub fn wrap<T: Float>(angle: T) -> T {
         return into_range(Float::atan2(s, c));
     }
     into_range((angle - turns * T::TURN.0) - turns * T::TURN.1)
+}
+
+/// The same angles in (-π, π], side by side.
+#[inline]
+pub fn wrap_all<T: Float, const L: usize>(angles: [T; L]) -> [T; L] {
+    let half = half_turn::<T>();
+    // Without `all`, whose early return is a branch for each lane.
+    if angles.iter().fold(true, |all, angle| all & (*angle > -half) & (*angle <= half)) {
+        return angles;
+    }
+    let wrapped = angles.map(within_a_turn);
+    if wrapped.iter().fold(true, |all, angle| all & (*angle > -half) & (*angle <= half)) {
+        return wrapped;
+    }
+    angles.map(wrap)
+}
+
+/// The same angle in (-π, π], if it is within a turn and a half: as [`into_range`], without a branch.
+#[inline(always)]
+fn within_a_turn<T: Float>(angle: T) -> T {
+    let half = half_turn::<T>();
+    let (back, forth) = ((angle - T::TURN.0) - T::TURN.1, (angle + T::TURN.0) + T::TURN.1);
+    let back = if back > -half { back } else { half };
+    let forth = if forth <= half { forth } else { half };
+    let least = if angle <= -half { forth } else { angle };
+    if angle > half { back } else { least }
 }
 
 /// Puts an angle that round-off left at or just beyond the ends of (-π, π] back into it.

@@ -90,9 +90,9 @@ fn unusual(x: f64) -> (f64, f64) {
 #[inline(always)]
 fn turned(quarters: u64, r: f64, over: f64) -> (f64, f64) {
     let z = r * r;
-    let sine = r - (over + (z * r) * polynomial(&SINE, z));
     let half = 0.5 * z;
     let most = 1.0 - half;
+    let sine = r - (over * most + (z * r) * polynomial(&SINE, z));
     let cosine = most + (((1.0 - most) - half) + (z * z * polynomial(&COSINE, z) + r * over));
     // An odd number of quarters exchanges the two; bit 1 of the number is the sign of the sine, that of the next
     // number the sign of the cosine. In bits, so that there is nothing to branch on.

@@ -95,6 +95,12 @@ impl ArmPosture {
         }
     }
 
+    /// Its number among the slots, from 0.
+    pub(crate) const fn index(self) -> usize {
+        let (left, down) = (matches!(self.shoulder, Shoulder::Left), matches!(self.elbow, Elbow::Down));
+        2 * left as usize + down as usize
+    }
+
     /// With one of the two wrists.
     pub const fn with(self, wrist: Bend) -> Posture {
         Posture { shoulder: self.shoulder, elbow: self.elbow, wrist }

@@ -144,6 +144,25 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         Self { slots: B::slots(|_| Slot::Empty(reason)), sliding }
     }
 
+    /// What became of each branch.
+    pub(crate) fn new(sliding: JointSet, make: impl FnMut(B) -> Slot<T, N, B>) -> Self {
+        Self { slots: B::slots(make), sliding }
+    }
+
+    /// A slot that is merged with an empty one has that one's reason, one that is merged with a merged one goes with it.
+    pub(crate) fn settle_mergers(&mut self) {
+        for branch in B::ALL {
+            if let Slot::Merged { with } = *self.get(*branch) {
+                let holder = if let Slot::Merged { with } = *self.get(with) { with } else { with };
+                let slot = match *self.get(holder) {
+                    Slot::Empty(reason) => Slot::Empty(reason),
+                    _ => Slot::Merged { with: holder },
+                };
+                self.put(*branch, slot);
+            }
+        }
+    }
+
     /// Puts what became of one branch into its slot.
     pub(crate) fn put(&mut self, branch: B, slot: Slot<T, N, B>) {
         *branch.of_mut(&mut self.slots) = slot;
@@ -213,13 +232,7 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
                 kept.put(*branch, Slot::Empty(reason));
             }
         }
-        for branch in B::ALL {
-            if let Slot::Merged { with } = self.get(*branch)
-                && let Slot::Empty(reason) = *kept.get(*with)
-            {
-                kept.put(*branch, Slot::Empty(reason));
-            }
-        }
+        kept.settle_mergers();
         kept
     }
 
@@ -277,7 +290,7 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
 }
 
 /// Joint vectors closer than this are the same solution: 1e-7 in `f64`, 7√ε in `f32`.
-fn tolerance<T: Float>() -> T {
+pub(crate) fn tolerance<T: Float>() -> T {
     T::lit(6.710_886_4) * math::sqrt(T::EPS)
 }
 

@@ -95,7 +95,7 @@ impl Printer<'_> {
         line!(text, "}}");
     }
 
-    fn offsets(&self, offsets: &[Quantity]) -> String {
+    pub(super) fn offsets(&self, offsets: &[Quantity]) -> String {
         offsets.iter().map(|o| self.quantity(o)).collect::<Vec<_>>().join(", ")
     }
 

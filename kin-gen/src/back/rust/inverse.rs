@@ -2,13 +2,16 @@
 
 use std::fmt::Write;
 
-use super::method::{Given, Gives};
+use super::method::{Given, Gives, Turns};
 use super::{ATTRIBUTES, Printer, line};
 use crate::back::infix::{self, Leaves};
 use crate::family::short::Carrier;
-use crate::family::wrist::Wrist;
+use crate::family::wrist::{Wrist, WristForm};
 use crate::model::{PoseSolver, PositionSolver, ShortSolver, ShoulderSolver};
 use crate::program::Program;
+
+/// As many turns as the runtime has places for.
+const MOST_TURNS: usize = 8;
 
 /// A trait of the runtime through which an inverse is called.
 struct Entry {
@@ -39,7 +42,7 @@ impl Printer<'_> {
     fn angles(&self, text: &mut String, name: &str, wrist: &Wrist, program: &Program, given: Given) {
         let (krate, argument) = (self.krate, self.arguments(given));
         line!(text, "fn {name}<T: {krate}::Float>(&self, {argument}) -> {krate}::Wrist<T> {{");
-        self.steps(text, program, given);
+        self.steps(text, program, given, Turns::Taken);
         line!(text, "{}\n}}", self.wrist_value(wrist, program));
     }
 
@@ -52,6 +55,7 @@ impl Printer<'_> {
         self.method(text, what, &solver.wrist_centre, Given::Pose, Gives::Coordinates);
         let what = "³R₆ of a pose, from the first three row values";
         self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
+        self.side_by_side(text, solver);
         self.command(text);
         line!(text, "}}");
         self.entry(
@@ -64,6 +68,45 @@ impl Printer<'_> {
                 solver: "spherical_wrist",
             },
         );
+    }
+
+    /// What the solver needs to have the branches of an orthogonal wrist side by side.
+    fn side_by_side(&self, text: &mut String, solver: &PoseSolver) {
+        let (krate, wrist, fk) = (self.krate, &solver.geometry.wrist, &self.arm.forward.fk);
+        // More turns than any arm is known to have, or another wrist: its branches come one by one.
+        let many = solver.wrist_rotation.turns.len().max(fk.turns.len()) > MOST_TURNS;
+        if many || !matches!(wrist.form, WristForm::Orthogonal) {
+            return;
+        }
+        line!(text, "fn orthogonal_wrist<T: {krate}::Float>(&self)");
+        line!(text, "-> ::core::option::Option<{krate}::private::Rows<T>> {{");
+        let offset = self.offsets(&wrist.offsets);
+        line!(text, "::core::option::Option::Some({krate}::private::Rows {{");
+        line!(text, "offset: [{offset}], reversed: [false; 3] }})\n}}");
+        let what = "The matrix of the figure angles, from ³R₆";
+        self.method(text, what, &solver.wrist_matrix, Given::Rotation("r36"), Gives::Rows);
+        self.turned(text, "WRIST", &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
+        self.turned(text, "FK", fk, Given::Joints, Gives::Pose);
+    }
+
+    /// A program in two parts: its turns, and the rest of it, which takes their sines and cosines.
+    fn turned(&self, text: &mut String, name: &str, program: &Program, given: Given, gives: Gives) {
+        let (krate, turns) = (self.krate, program.turns.len());
+        let (method, result) = (name.to_lowercase(), self.result(gives));
+        let arguments = self.arguments(given);
+        let values = arguments.split(", pose").next().unwrap_or_default();
+        line!(text, "const {name}_TURNS: usize = {turns};");
+        line!(text, "#[inline(always)]");
+        line!(text, "fn {method}_turns<T: {krate}::Real>(&self, {values}) -> [T; {MOST_TURNS}] {{");
+        self.bind_joints(text, program, given, Turns::Taken);
+        let angles = program.turns.iter().map(|turn| infix::turn(turn, self));
+        let filled = angles.chain((turns..MOST_TURNS).map(|_| "T::lit(0.0)".to_owned()));
+        line!(text, "[{}]\n}}", filled.collect::<Vec<_>>().join(", "));
+        line!(text, "#[inline(always)]");
+        line!(text, "fn {method}_turned<T: {krate}::Real>(&self, {arguments},");
+        line!(text, "sines: [T; {MOST_TURNS}], cosines: [T; {MOST_TURNS}]) -> {result} {{");
+        self.steps(text, program, given, Turns::Given);
+        line!(text, "{}\n}}", self.value(program, gives));
     }
 
     /// The inverse of an arm with a spherical shoulder.

@@ -38,10 +38,21 @@ pub(super) enum Gives {
     PoseAndJacobian,
     /// A 3×3 matrix.
     Matrix,
+    /// The rows of a 3×3 matrix.
+    Rows,
     /// A 3×3 matrix, then a point.
     MatrixAndPoint,
     /// Three coordinates.
     Coordinates,
+}
+
+/// Where a program has the sines and cosines of its turns from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Turns {
+    /// It takes them itself.
+    Taken,
+    /// They are arguments.
+    Given,
 }
 
 impl Printer<'_> {
@@ -60,7 +71,7 @@ impl Printer<'_> {
         }
     }
 
-    fn result(&self, gives: Gives) -> String {
+    pub(super) fn result(&self, gives: Gives) -> String {
         let (krate, n) = (self.krate, self.count());
         let (pose, jacobian) = (format!("{krate}::Pose<T>"), format!("{krate}::Jacobian<T, {n}>"));
         match gives {
@@ -69,6 +80,7 @@ impl Printer<'_> {
             Gives::Jacobian => jacobian,
             Gives::PoseAndJacobian => format!("({pose}, {jacobian})"),
             Gives::Matrix => format!("{krate}::Matrix3<T>"),
+            Gives::Rows => "[[T; 3]; 3]".to_owned(),
             Gives::MatrixAndPoint => format!("({krate}::Matrix3<T>, {krate}::Point3<T>)"),
             Gives::Coordinates => "[T; 3]".to_owned(),
         }
@@ -86,15 +98,15 @@ impl Printer<'_> {
         let (krate, arguments, result) = (self.krate, self.arguments(given), self.result(gives));
         line!(text, "/// {what}: {}.", program.cost());
         line!(text, "fn {}<T: {krate}::Real>(&self, {arguments}) -> {result} {{", program.name);
-        self.steps(text, program, given);
+        self.steps(text, program, given, Turns::Taken);
         line!(text, "{}\n}}", self.value(program, gives));
     }
 
     /// The body of a method but for its value.
-    pub(super) fn steps(&self, text: &mut String, program: &Program, given: Given) {
-        self.bind_joints(text, program, given);
+    pub(super) fn steps(&self, text: &mut String, program: &Program, given: Given, turns: Turns) {
+        self.bind_joints(text, program, given, turns);
         bind_entries(text, program, given);
-        self.turns(text, program);
+        self.turns(text, program, turns);
         for (index, step) in program.steps.iter().enumerate() {
             let given = matches!(step.op, Op::Cos(_) | Op::Sin(_) | Op::Slide(_) | Op::Entry(_));
             if let (Some(name), false) = (&step.name, given) {
@@ -114,11 +126,13 @@ impl Printer<'_> {
         }
     }
 
-    /// Binds the joint values that the program uses, where they come as a vector.
-    fn bind_joints(&self, text: &mut String, program: &Program, given: Given) {
+    /// Binds the joint values that the program uses, those of its turns too if it takes them itself, where they come as a
+    /// vector.
+    pub(super) fn bind_joints(&self, text: &mut String, program: &Program, given: Given, turns: Turns) {
         let slides =
             program.steps.iter().filter_map(|s| if let Op::Slide(j) = s.op { Some(j) } else { None });
-        let turned = program.turns.iter().flat_map(|t| t.joints.iter().map(|(_, j)| *j));
+        let turns = program.turns.iter().filter(|_| turns == Turns::Taken);
+        let turned = turns.flat_map(|t| t.joints.iter().map(|(_, j)| *j));
         let used: Vec<usize> = slides.chain(turned).collect();
         if used.is_empty() {
             return;
@@ -135,7 +149,7 @@ impl Printer<'_> {
     }
 
     /// The sines and cosines of all turns in one call, which has them side by side.
-    fn turns(&self, text: &mut String, program: &Program) {
+    fn turns(&self, text: &mut String, program: &Program, turns: Turns) {
         let named = |wanted: Op| {
             let step = program.steps.iter().find(|s| s.op == wanted);
             step.and_then(|s| s.name.clone()).unwrap_or_else(|| "_".to_owned())
@@ -149,12 +163,15 @@ impl Printer<'_> {
         let krate = self.krate;
         match program.turns.len() {
             0 => {}
+            _ if turns == Turns::Given => {
+                line!(text, "let ([{sines}, ..], [{cosines}, ..]) = (sines, cosines);")
+            }
             1 => line!(text, "let ({sines}, {cosines}) = {krate}::Real::sin_cos({angles});"),
             _ => line!(text, "let ([{sines}], [{cosines}]) = {krate}::Real::sin_cos_all([{angles}]);"),
         }
     }
 
-    fn value(&self, program: &Program, gives: Gives) -> String {
+    pub(super) fn value(&self, program: &Program, gives: Gives) -> String {
         let krate = self.krate;
         let matrix = || format!("{krate}::private::matrix({})", self.rows(program));
         match gives {
@@ -168,6 +185,7 @@ impl Printer<'_> {
                 format!("({},\n{})", self.pose(program, 0), self.jacobian(program, 12))
             }
             Gives::Matrix => matrix(),
+            Gives::Rows => self.rows(program),
             Gives::MatrixAndPoint => {
                 format!("({}, {krate}::private::point({}))", matrix(), self.list(program, 9, 3))
             }
