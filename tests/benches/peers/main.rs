@@ -1,13 +1,14 @@
 //! `cargo bench -p tests --bench peers`: forward kinematics, Jacobian and inverse beside those of others, in one run.
 //!
 //! First all ways interleaved, medians of many rounds, and instructions as valgrind counts them; then criterion, each way
-//! alone. `-- --gate` counts instructions only and fails where a ratio to a peer has sunk: it does not depend on the
-//! machine's mood.
+//! alone. `-- --report` writes the first part to PERFORMANCE.md and leaves criterion out. `-- --gate` counts instructions
+//! only and fails where a ratio to a peer has sunk: it does not depend on the machine's mood.
 
 mod clock;
 mod count;
 mod data;
 mod peers;
+mod report;
 mod ways;
 
 use criterion::{Criterion, Throughput};
@@ -38,6 +39,9 @@ fn main() -> ExitCode {
         let ratio = clock::ratio(&ways, &times, group, peer);
         println!("{group}: {ratio:.2} × {peer}, asked for {target} ×");
     }
+    if arguments.iter().any(|argument| argument == "--report") {
+        return report::write(&ways, &times, counts.as_deref());
+    }
     let mut criterion = Criterion::default()
         .warm_up_time(Duration::from_millis(300))
         .measurement_time(Duration::from_secs(1))
@@ -45,7 +49,7 @@ fn main() -> ExitCode {
     for way in &mut ways {
         let mut group = criterion.benchmark_group(way.group);
         group.throughput(Throughput::Elements(data::COUNT as u64)).sample_size(10);
-        group.bench_function(way.name, |bencher| bencher.iter(|| (way.run)(data::COUNT)));
+        group.bench_function(way.name, |bencher| bencher.iter(|| (way.run)(0..data::COUNT)));
         group.finish();
     }
     criterion.final_summary();

@@ -7,14 +7,15 @@ use robots::Irb2400;
 use rs_opw_kinematics::jacobian::Jacobian as OpwJacobian;
 use rs_opw_kinematics::kinematic_traits::Kinematics;
 use std::hint::black_box;
+use std::ops::Range;
 use std::rc::Rc;
 
 /// One way of computing one thing.
 pub(crate) struct Way {
     pub(crate) group: &'static str,
     pub(crate) name: &'static str,
-    /// Does so for that many elements.
-    pub(crate) run: Box<dyn FnMut(usize)>,
+    /// Does so for these of the elements.
+    pub(crate) run: Box<dyn FnMut(Range<usize>)>,
 }
 
 /// One after the other, none waiting for the one before.
@@ -26,8 +27,8 @@ fn each<I: 'static, O>(
     call: impl Fn(&I) -> O + 'static,
 ) -> Way {
     let data = Rc::clone(data);
-    let run = move |count: usize| {
-        for item in list(&data).iter().take(count) {
+    let run = move |which: Range<usize>| {
+        for item in &list(&data)[which] {
             black_box(&call(black_box(item)));
         }
     };
@@ -43,9 +44,9 @@ fn chained<I: 'static>(
     call: impl Fn(&I, f64) -> f64 + 'static,
 ) -> Way {
     let data = Rc::clone(data);
-    let run = move |count: usize| {
+    let run = move |which: Range<usize>| {
         let mut carry = 0.0;
-        for item in list(&data).iter().take(count) {
+        for item in &list(&data)[which] {
             carry = call(black_box(item), carry * 0.0);
         }
         black_box(carry);
