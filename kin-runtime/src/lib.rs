@@ -127,7 +127,8 @@
 //!
 //! [`arm`] the traits · [`pose`] poses, joint vectors, Euler angles · [`geometry`] the figures that solutions are spelled
 //! with · [`ik`] the solvers, one page each · [`solutions`] what they give back · [`limits`] · [`track`] paths of poses ·
-//! [`trajectory`] motions in time · [`watch`] their singular poses · [`singularity`] · [`dynamic`] arms behind references · [`math`] numbers.
+//! [`trajectory`] motions in time · [`watch`] their singular poses · [`rates`] velocity and force ·
+//! [`singularity`] · [`dual`] rates of change · [`dynamic`] arms behind references · [`math`] numbers.
 //!
 //! The feature `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
@@ -143,6 +144,7 @@ pub mod math;
 pub mod pose;
 #[doc(hidden)]
 pub mod private;
+pub mod rates;
 #[cfg(test)]
 mod sample;
 pub mod singularity;
@@ -168,7 +170,7 @@ pub use solutions::{
     ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, Hand, JointSet, Margins, Posture, Ranges,
     Reason, Shoulder, ShoulderPosture, Singularity, Slot, Solution, Solutions, Winding, Windings,
 };
-pub use track::{Cause, Step, Track};
+pub use track::{Cause, Census, Step, Stop, Track};
 pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, TrajectoryError};
 pub use watch::{Factor, Factored, Factors, Measure, Watch};
 

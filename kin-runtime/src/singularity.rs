@@ -145,21 +145,39 @@ pub fn scaled<T: Real, const N: usize>(jacobian: &Jacobian<T, N>, length: T) -> 
 /// One-sided Jacobi (Hestenes 1958): pairs of columns are turned until all are orthogonal; their lengths are the
 /// singular values, small ones to high relative accuracy.
 pub fn singular_values<T: Float, const N: usize>(jacobian: &Jacobian<T, N>) -> Joints<T, N> {
-    let mut columns = jacobian.data.0;
-    for _ in 0..SWEEPS {
-        if !sweep(&mut columns) {
-            break;
-        }
-    }
-    let mut values = columns.map(|column| length(&column));
+    let mut values = decomposed(jacobian, [[]; N]).map(|direction| length(&direction.column));
     sort_falling(&mut values);
     pose::column(values)
 }
 
+/// One direction of a matrix: its column u·σ, and what turned the columns of the matrix into it.
+#[derive(Clone, Copy)]
+pub(crate) struct Direction<T, const M: usize> {
+    pub(crate) column: [T; 6],
+    pub(crate) turn: [T; M],
+}
+
+/// The directions of a Jacobian, in no order; `turns` is the unit matrix if v is wanted, else nothing.
+pub(crate) fn decomposed<T: Float, const N: usize, const M: usize>(
+    jacobian: &Jacobian<T, N>,
+    turns: [[T; M]; N],
+) -> [Direction<T, M>; N] {
+    let mut directions = turns.map(|turn| Direction { column: [T::lit(0.0); 6], turn });
+    for (direction, column) in directions.iter_mut().zip(jacobian.data.0) {
+        direction.column = column;
+    }
+    for _ in 0..SWEEPS {
+        if !sweep(&mut directions) {
+            break;
+        }
+    }
+    directions
+}
+
 /// Makes each pair of columns orthogonal once; whether any was not.
-fn sweep<T: Float, const N: usize>(columns: &mut [[T; 6]; N]) -> bool {
+fn sweep<T: Float, const M: usize>(directions: &mut [Direction<T, M>]) -> bool {
     let mut turned = false;
-    let mut rest: &mut [[T; 6]] = columns;
+    let mut rest = directions;
     while let Some((first, others)) = rest.split_first_mut() {
         for other in others.iter_mut() {
             turned |= orthogonalise(first, other);
@@ -170,8 +188,9 @@ fn sweep<T: Float, const N: usize>(columns: &mut [[T; 6]; N]) -> bool {
 }
 
 /// Turns two columns in their plane until they are orthogonal; whether they were not.
-fn orthogonalise<T: Float>(a: &mut [T; 6], b: &mut [T; 6]) -> bool {
-    let (aa, bb, ab) = (product(a, a), product(b, b), product(a, b));
+fn orthogonalise<T: Float, const M: usize>(a: &mut Direction<T, M>, b: &mut Direction<T, M>) -> bool {
+    let (aa, bb) = (product(&a.column, &a.column), product(&b.column, &b.column));
+    let ab = product(&a.column, &b.column);
     if math::abs(ab) <= T::EPS * math::sqrt(aa * bb) || math::is_nan(ab) {
         return false;
     }
@@ -180,17 +199,18 @@ fn orthogonalise<T: Float>(a: &mut [T; 6], b: &mut [T; 6]) -> bool {
     let t = if zeta < T::lit(0.0) { T::lit(-1.0) / root } else { T::lit(1.0) / root };
     let c = T::lit(1.0) / math::hypot(T::lit(1.0), t);
     let s = c * t;
-    for (x, y) in a.iter_mut().zip(b.iter_mut()) {
+    let both = a.column.iter_mut().chain(&mut a.turn).zip(b.column.iter_mut().chain(&mut b.turn));
+    for (x, y) in both {
         (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
     }
     true
 }
 
-fn product<T: Float>(a: &[T; 6], b: &[T; 6]) -> T {
+pub(crate) fn product<T: Float>(a: &[T; 6], b: &[T; 6]) -> T {
     a.iter().zip(b).fold(T::lit(0.0), |sum, (x, y)| sum + *x * *y)
 }
 
-fn length<T: Float>(column: &[T; 6]) -> T {
+pub(crate) fn length<T: Float>(column: &[T; 6]) -> T {
     column.iter().fold(T::lit(0.0), |sum, x| math::hypot(sum, *x))
 }
 

@@ -33,7 +33,10 @@
 //! }
 //! ```
 
+mod census;
 mod strand;
+
+pub use census::{Census, Counted, Stop};
 
 use crate::arm::InverseKinematics;
 use crate::choice::{Metric, Offers, refusal};
@@ -140,6 +143,11 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     pub fn ahead(mut self, poses: usize) -> Self {
         self.ahead = poses;
         self
+    }
+
+    /// Counts the solutions of each pose as well, for one solution of the pose more.
+    pub fn counted(self) -> Counted<'a, A, T, N, I> {
+        Counted(self)
     }
 
     /// Where the joints are.
