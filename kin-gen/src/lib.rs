@@ -14,7 +14,8 @@
 //! * [`chain`]: the arm as exact elementary transforms
 //! * [`algebra`]: the ring of the proof, the graph of the code
 //! * [`truth`]: the plain matrix product, as polynomials
-//! * [`mod@derive`]: equal derivations, the cheapest chosen
+//! * [`plan`]: the cheapest of all equal derivations, for each structure
+//! * [`mod@derive`]: from frames to expressions, by a plan where there is one
 //! * [`family`]: which arms can be solved, and with what numbers
 //! * [`program`], [`signs`], [`names`], [`eval`]: straight-line code, its signs, its names, its meaning
 //! * [`model`]: all of it for one arm
@@ -33,6 +34,7 @@ pub mod family;
 pub mod model;
 pub mod names;
 pub mod number;
+pub mod plan;
 pub mod program;
 pub mod quantity;
 pub mod report;

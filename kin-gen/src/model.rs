@@ -6,6 +6,9 @@
 mod short;
 mod shoulder;
 mod spherical;
+mod structures;
+
+pub use structures::structures;
 
 use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::{self, Frames, Stretch, Values};

@@ -11,6 +11,7 @@ use std::fmt;
 
 use crate::algebra::expr::{Exprs, Id, Node, Term, Turn};
 use crate::algebra::ring::{Poly, Ring};
+use crate::chain::AngleSum;
 use crate::names::{Label, Namer};
 use crate::signs;
 use crate::truth::Symbols;
@@ -150,11 +151,14 @@ impl Program {
             })
             .collect();
         let mut program = Program { name, turns, steps, outputs };
-        let flipped = signs::settle(&mut program);
+        let called: Vec<Option<bool>> =
+            order.iter().map(|id| exprs.label_of(*id).and_then(|(_, negative)| negative)).collect();
+        let flipped = signs::settle(&mut program, &called);
         let label = |(id, flipped): (&Id, bool)| {
-            exprs
-                .label_of(*id)
-                .map(|(name, negative)| Label { name: name.to_owned(), negative: negative != flipped })
+            exprs.label_of(*id).map(|(name, negative)| Label {
+                name: name.to_owned(),
+                negative: negative.is_some_and(|n| n != flipped),
+            })
         };
         let labels = order.iter().zip(flipped).map(label).collect();
         Namer::new(&exprs.ring, labels).name(&mut program);
@@ -188,14 +192,30 @@ impl Program {
                 Op::Constant(..) | Op::Param(_) | Op::Slide(_) | Op::Entry(_) => {}
             }
         }
-        for turn in &self.turns {
-            let coefficients = turn.joints.iter().chain(&turn.rest.params);
+        for (index, turn) in self.turns.iter().enumerate() {
+            // What another sum has already added up is not added again.
+            let known = self.begun_by(index).map_or(0, |begun| self.turns[begun].joints.len());
+            let coefficients = turn.joints.iter().skip(known).chain(&turn.rest.params);
             let scaled = coefficients.clone().filter(|(c, _)| c.abs() != 1).count();
             let terms = coefficients.count() + usize::from(!turn.rest.constant.is_zero());
             cost.mul += scaled;
-            cost.add += terms.saturating_sub(1);
+            cost.add += if known > 0 { terms } else { terms.saturating_sub(1) };
         }
         cost
+    }
+
+    /// The longest of the earlier sums of two joint values or more with which a sum begins: q2 + q3 of q2 + q3 + q4.
+    /// Sums are added from the left, so that it is the same number.
+    pub fn begun_by(&self, turn: usize) -> Option<usize> {
+        let joints = &self.turns[turn].joints;
+        let begins = |other: &Turn| {
+            other.joints.len() > 1
+                && other.rest == AngleSum::default()
+                && joints.len() >= other.joints.len()
+                && joints[..other.joints.len()] == other.joints
+        };
+        let earlier = (0..turn).filter(|index| begins(&self.turns[*index]));
+        earlier.max_by_key(|index| self.turns[*index].joints.len())
     }
 
     /// What each output means, as a polynomial.

@@ -2,27 +2,29 @@
 //!
 //! Signs move outwards while the graph is built, so that equal values meet whatever their sign; what is left of them
 //! stands at the outputs. A difference can be stored either way round at no cost: this pass chooses, for each, the way
-//! that leaves the fewest outputs negated. No operation is added, none changes its rounding.
+//! that leaves the fewest outputs negated, and among these the way that leaves the fewest steps with the negative of
+//! what they would be called. No operation is added, none changes its rounding.
 
 use crate::program::{Op, Program, Value};
 
 /// The most outputs that are flipped in pairs.
 const MOST_PAIRED: usize = 12;
 
-/// Chooses the order of each difference; says which steps now hold the negative of what they held.
-pub fn settle(program: &mut Program) -> Vec<bool> {
+/// Chooses the order of each difference; says which steps now hold the negative of what they held. `called` says for
+/// each step whether its name would be that of its negative, if it would have one.
+pub fn settle(program: &mut Program, called: &[Option<bool>]) -> Vec<bool> {
     let mut flips = vec![false; program.steps.len()];
-    let mut best = negated(program, &flips);
+    let mut best = negated(program, &flips, called);
     // Columns of a rotation hang together through the product that completes them: pairs find what single flips miss.
     let candidates: Vec<usize> = flippable_outputs(program);
     let pairs = candidates.iter().flat_map(|a| candidates.iter().map(move |b| [*a, *b]));
     let singles = (0..program.steps.len()).rev().map(|index| [index, index]);
     for pair in singles.chain(pairs) {
-        if best == 0 {
+        if best == (0, 0) {
             break;
         }
         flip(&mut flips, pair);
-        let count = negated(program, &flips);
+        let count = negated(program, &flips, called);
         if count < best {
             best = count;
         } else {
@@ -66,11 +68,13 @@ fn flippable_outputs(program: &Program) -> Vec<usize> {
     found
 }
 
-/// How many outputs would be negated.
-fn negated(program: &Program, flips: &[bool]) -> usize {
+/// How many outputs would be negated, and how many steps would hold the negative of what they are called.
+fn negated(program: &Program, flips: &[bool], called: &[Option<bool>]) -> (usize, usize) {
     let (_, negative) = with_flips(program, flips);
     let is = |value: Value| matches!(value, Value::Step { index, negative: sign } if sign != negative[index]);
-    program.outputs.iter().filter(|o| is(o.value)).count()
+    let outputs = program.outputs.iter().filter(|o| is(o.value)).count();
+    let miscalled = called.iter().zip(&negative).filter(|(called, negative)| **called == Some(!**negative));
+    (outputs, miscalled.count())
 }
 
 /// The operations with the given differences stored the other way round, and which steps now hold their negative.

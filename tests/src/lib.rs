@@ -2,7 +2,8 @@
 //!
 //! Nothing in here calls what it judges. Poses come from a plain product of 4×4 matrices, Jacobians from the same
 //! product in dual numbers, both straight from the rows of `data/arms.json`, whose strings are evaluated here as well.
-//! The scores of inverse solutions count as the reference's own scorer does.
+//! The scores of inverse solutions count as the reference's own scorer does. [`measured`] and [`structures`] judge
+//! nothing: they say which arms are counted and which structures get plans.
 //!
 //! ```text
 //! data/*.json ► reference ► product (f64, dual) ► pose, Jacobian, reach
@@ -18,6 +19,7 @@ pub mod dual;
 pub mod expression;
 pub mod interpreted;
 pub mod markup;
+pub mod measured;
 pub mod mirrored;
 pub mod motion;
 pub mod polynomial;
@@ -28,6 +30,7 @@ pub mod reliability;
 pub mod sample;
 pub mod score;
 pub mod seeds;
+pub mod structures;
 pub mod trig;
 
 /// The README's program, compiled and run.

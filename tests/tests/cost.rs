@@ -1,52 +1,51 @@
-//! What the derived programs cost, against the best that other generators reach.
+//! What the derived programs cost, against what is promised and against the best that other generators reach.
+
+use std::path::Path;
 
 use kin_runtime::Arm;
-
-/// As it was measured: with the flange, without the hand that `robots::Panda` carries.
-const PANDA: &str = "struct Panda(modified, m, deg);
-    | joint | alpha | a       | d     | theta |
-    | J1    | 0     | 0       | 0.333 | q     |
-    | J2    | -90   | 0       | 0     | q     |
-    | J3    | 90    | 0       | 0.316 | q     |
-    | J4    | 90    | 0.0825  | 0     | q     |
-    | J5    | -90   | -0.0825 | 0.384 | q     |
-    | J6    | 90    | 0       | 0     | q     |
-    | J7    | 90    | 0.088   | 0     | q     |
-    |       | 0     | 0       | 0.107 | 0     |";
-
-/// As it was measured: with d6, and without the offset of 20.3 mm at joint 3.
-const STANFORD: &str = "struct Stanford(standard, m, deg);
-    | joint | theta | d     | a | alpha |
-    | J1    | q     | 0.412 | 0 | -90   |
-    | J2    | q     | 0.154 | 0 | 90    |
-    | J3    | -90   | q     | 0 | 0     |
-    | J4    | q     | 0     | 0 | -90   |
-    | J5    | q     | 0     | 0 | 90    |
-    | J6    | q     | 0.263 | 0 | 0     |";
-
-/// The best count that any of today's generators reaches on these arms: multiplications and additions, measured with
-/// sympy, SymForce, CasADi, SYMORO+, SymPyBotics and Pinocchio for FK, Jacobian and both together.
-const PEERS: [(&str, [[usize; 2]; 3]); 6] = [
-    (robots::Puma560::TABLE, [[58, 29], [39, 18], [66, 33]]),
-    (robots::Ur5::TABLE, [[48, 28], [45, 24], [62, 35]]),
-    (STANFORD, [[44, 22], [47, 19], [65, 29]]),
-    (robots::Irb2400::TABLE, [[58, 30], [66, 32], [84, 42]]),
-    (robots::LabArm::TABLE, [[60, 32], [65, 31], [83, 42]]),
-    (PANDA, [[79, 44], [99, 50], [111, 57]]),
-];
+use tests::measured::{self, ARMS};
 
 #[test]
 fn no_program_costs_more_than_the_best_peer() {
-    for (table, peers) in PEERS {
-        let arm = kin_gen::compile_text(table).unwrap_or_else(|messages| panic!("{messages}"));
+    for measured in &ARMS {
+        let arm = measured::derived(measured.table);
         let forward = &arm.forward;
-        for (program, [mul, add]) in [&forward.fk, &forward.jacobian, &forward.fk_jacobian].iter().zip(peers)
-        {
+        let programs = [&forward.fk, &forward.jacobian, &forward.fk_jacobian];
+        for (program, [mul, add]) in programs.iter().zip(measured.peers) {
             let cost = program.cost();
-            println!("{:10} {:12} {:3}/{:<3} peer {mul}/{add}", arm.name, program.name, cost.mul, cost.add);
             assert!(cost.mul <= mul && cost.add <= add, "{} {}: {cost}", arm.name, program.name);
         }
     }
+}
+
+#[test]
+fn every_program_costs_what_is_promised_or_less() {
+    for measured in &ARMS {
+        let arm = measured::derived(measured.table);
+        for (name, [mul, add, trig]) in measured.promised {
+            let programs = measured::programs(&arm);
+            let program = programs.iter().find(|p| p.name == *name);
+            let cost = program.unwrap_or_else(|| panic!("{} has no {name}", arm.name)).cost();
+            println!("{:10} {name:12} {cost}; promised {mul}/{add};{trig}", arm.name);
+            let kept = cost.mul <= *mul && cost.add <= *add && cost.trig <= *trig;
+            assert!(kept, "{} {name}: {cost}, promised {mul}/{add};{trig}", arm.name);
+        }
+    }
+}
+
+/// What `counts` prints, for every arm.
+#[test]
+fn the_counts_are_current() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/counts.txt");
+    let counts = measured::counts();
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(&file, &counts).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    }
+    let golden = std::fs::read_to_string(&file).unwrap_or_default();
+    for (line, (is, was)) in counts.lines().zip(golden.lines()).enumerate() {
+        assert_eq!(is, was, "line {}; `UPDATE=1 cargo test -p tests --test cost` writes it anew", line + 1);
+    }
+    assert_eq!(counts.lines().count(), golden.lines().count());
 }
 
 /// The lines of one generated method, from its doc comment to its closing brace.

@@ -106,7 +106,7 @@ pub struct Exprs {
     older: Vec<Option<Id>>,
     constants: Vec<Poly>,
     turns: Vec<Turn>,
-    labels: BTreeMap<Id, (String, bool)>,
+    labels: BTreeMap<Id, (String, Option<bool>)>,
 }
 
 impl Exprs {
@@ -186,12 +186,19 @@ impl Exprs {
     /// Suggests a textbook name for a computed value; the first suggestion stays.
     pub fn label(&mut self, term: Term, name: impl FnOnce() -> String) {
         if matches!(self.node(term.id), Node::Add(..) | Node::Sub(..) | Node::Mul(..)) {
-            self.labels.entry(term.id).or_insert_with(|| (name(), term.negative));
+            self.labels.entry(term.id).or_insert_with(|| (name(), Some(term.negative)));
         }
     }
 
-    /// The name suggested for a node, and whether it names the node's negative.
-    pub fn label_of(&self, id: Id) -> Option<(&str, bool)> {
+    /// The same for a name that says nothing about the sign: along an axis whose direction is nobody's choice.
+    pub fn label_up_to_sign(&mut self, term: Term, name: impl FnOnce() -> String) {
+        if matches!(self.node(term.id), Node::Add(..) | Node::Sub(..) | Node::Mul(..)) {
+            self.labels.entry(term.id).or_insert_with(|| (name(), None));
+        }
+    }
+
+    /// The name suggested for a node, and whether it names the node's negative; either will do where that is not said.
+    pub fn label_of(&self, id: Id) -> Option<(&str, Option<bool>)> {
         self.labels.get(&id).map(|(name, negative)| (name.as_str(), *negative))
     }
 

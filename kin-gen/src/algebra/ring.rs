@@ -68,6 +68,8 @@ pub struct Ring {
     /// All exponent bits of each variable that varies.
     pub(super) varying: Monomial,
     work: Cell<u64>,
+    /// Whether the work is not limited.
+    unbounded: bool,
     exhausted: Cell<bool>,
 }
 
@@ -75,6 +77,11 @@ impl Ring {
     /// A ring without variables.
     pub fn new() -> Ring {
         Ring::default()
+    }
+
+    /// A ring without variables whose work is not limited.
+    pub fn unbounded() -> Ring {
+        Ring { unbounded: true, ..Ring::default() }
     }
 
     /// Whether some result was too large to be represented: nothing computed since may be used.
@@ -270,7 +277,7 @@ impl Ring {
     pub fn mul(&self, a: &Poly, b: &Poly) -> Poly {
         let work = self.work.get() + (a.terms.len() * b.terms.len()) as u64;
         self.work.set(work);
-        if work > WORK_LIMIT {
+        if work > WORK_LIMIT && !self.unbounded {
             self.exhausted.set(true);
         }
         if self.exhausted.get() {
@@ -355,6 +362,29 @@ impl Ring {
             .collect();
         terms.sort_unstable_by_key(|term| Reverse(term.0));
         Poly { terms }
+    }
+
+    /// `a` as A·v + C with neither A nor C in v; `None` if v occurs in a higher power.
+    pub fn split(&self, a: &Poly, var: Var) -> Option<[Poly; 2]> {
+        let one = Monomial::of(var, 1);
+        let mut parts: [Poly; 2] = Default::default();
+        for &(m, c) in &a.terms {
+            match m.exponent(var) {
+                0 => parts[1].terms.push((m, c)),
+                1 => parts[0].terms.push((m.without(one), c)),
+                _ => return None,
+            }
+        }
+        // What all have lost in common leaves their order as it was.
+        Some(parts)
+    }
+
+    /// `a` as A·cos + B·sin + C with neither in A, B and C; `None` if there are products of them.
+    pub fn split_by_angle(&self, a: &Poly, cos: Var) -> Option<[Poly; 3]> {
+        let [by_cos, rest] = self.split(a, cos)?;
+        let [mixed, by_cos] = self.split(&by_cos, Var(cos.0 + 1))?;
+        let [by_sin, rest] = self.split(&rest, Var(cos.0 + 1))?;
+        mixed.is_zero().then_some([by_cos, by_sin, rest])
     }
 
     /// Whether no variable occurs that varies.

@@ -59,9 +59,14 @@ fn spelled(program: &Program, index: usize, leaves: &dyn Leaves) -> (String, Bin
 
 /// A sum of joint values, parameters and a constant, in that order.
 pub fn turn(turn: &Turn, leaves: &dyn Leaves) -> String {
+    turn_from(String::new(), turn, leaves)
+}
+
+/// The same, added to what is already there.
+pub fn turn_from(begun: String, turn: &Turn, leaves: &dyn Leaves) -> String {
     let joints = turn.joints.iter().map(|(c, j)| (*c, format!("q{}", j + 1)));
     let params = turn.rest.params.iter().map(|(c, p)| (*c, leaves.param(*p)));
-    let mut text = String::new();
+    let mut text = begun;
     for (coefficient, name) in joints.chain(params) {
         let factor = match coefficient.unsigned_abs() {
             1 => name,

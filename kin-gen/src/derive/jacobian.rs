@@ -6,21 +6,51 @@
 //! and only has to be brought to the world; or both are brought there and multiplied: whichever adds less.
 
 use super::pose::{Reach, Reaches, TermPose, cheapest_style, reaches, rotation_name};
-use super::{Deriver, pose};
+use super::{Deriver, planned_or, pose};
 use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::Frames;
 use crate::algebra::vector::{self, V3};
+use crate::plan::{self, Planned, Wanted};
 
 /// A column: the linear part, then the angular part.
 pub type Column = [Term; 6];
 
 /// The Jacobian alone.
 pub fn jacobian(exprs: &mut Exprs, frames: &Frames, couple: &[Vec<i64>]) -> Vec<Column> {
-    cheapest_style(exprs, frames, |d| alone(d, couple))
+    planned_or(
+        exprs,
+        |exprs| {
+            let planned = plan::planned(exprs, frames, Wanted::Jacobian)?;
+            Some((planned_columns(exprs, &planned, couple), planned.own))
+        },
+        |exprs| cheapest_style(exprs, frames, |d| alone(d, couple)),
+    )
 }
 
 /// The pose and the Jacobian, planned together: the columns of one serve the other.
 pub fn fk_jacobian(exprs: &mut Exprs, frames: &Frames, couple: &[Vec<i64>]) -> (TermPose, Vec<Column>) {
+    planned_or(
+        exprs,
+        |exprs| {
+            let planned = plan::planned(exprs, frames, Wanted::Both)?;
+            let columns = planned_columns(exprs, &planned, couple);
+            let (pose, own) = pose::by_plan(planned)?;
+            Some(((pose, columns), own))
+        },
+        |exprs| both_by_style(exprs, frames, couple),
+    )
+}
+
+/// The columns of a plan, for the commanded values.
+fn planned_columns(exprs: &mut Exprs, planned: &Planned, couple: &[Vec<i64>]) -> Vec<Column> {
+    let mut rows: Vec<Column> = vec![[Term::ZERO; 6]; couple.len()];
+    for (joint, velocity, axis) in &planned.columns {
+        rows[*joint] = join(velocity, axis);
+    }
+    commanded(exprs, &rows, couple)
+}
+
+fn both_by_style(exprs: &mut Exprs, frames: &Frames, couple: &[Vec<i64>]) -> (TermPose, Vec<Column>) {
     let start = exprs.mark();
     let mut work = [0, 0];
     for (work, pose_first) in work.iter_mut().zip([true, false]) {

@@ -1,9 +1,10 @@
 //! From frames to expressions: which equal derivation of each wanted function is the cheapest.
 //!
 //! A vector fixed in some frame can be brought to the world in many exactly equal ways: turned down frame by frame, or
-//! combined from the columns of any frame on the way, which other vectors may already have paid for. [`Deriver`] does
-//! it in one [`Style`]; each wanted set of outputs is derived in every style and order that its file lists, and the
-//! cheapest is kept. Nothing is approximated and nothing is believed: the result is proved afterwards.
+//! combined from the columns of any frame on the way, which other vectors may already have paid for. For most arms a plan
+//! of [`crate::plan`] says how. For an arm whose structure has none, [`Deriver`] does it in one [`Style`]: each wanted set
+//! of outputs is derived in every style and order that its file lists, and the cheapest is kept. Nothing is approximated
+//! and nothing is believed: the result is proved afterwards.
 //!
 //! * [`pose`]: forward kinematics and all frames
 //! * [`jacobian`]: the geometric Jacobian, alone and with the pose
@@ -16,6 +17,32 @@ pub mod wrist;
 use crate::algebra::expr::{Exprs, Mark as GraphMark, Term};
 use crate::algebra::frame::{Carrier, Frames, Mark};
 use crate::algebra::vector::{self, M3, V3};
+
+/// What the structure's own plan yields; where there is only a plan of a larger structure, that or the styles, whichever
+/// is cheaper.
+pub fn planned_or<T>(
+    exprs: &mut Exprs,
+    by_plan: impl Fn(&mut Exprs) -> Option<(T, bool)>,
+    by_style: impl Fn(&mut Exprs) -> T,
+) -> T {
+    let start = exprs.mark();
+    let mut work = usize::MAX;
+    match by_plan(exprs) {
+        Some((planned, true)) => return planned,
+        Some(_) => work = exprs.work_since(start),
+        None => {}
+    }
+    exprs.roll_back(start);
+    let styled = by_style(exprs);
+    if exprs.work_since(start) <= work {
+        return styled;
+    }
+    exprs.roll_back(start);
+    match by_plan(exprs) {
+        Some((planned, _)) => planned,
+        None => styled,
+    }
+}
 
 /// How vectors are brought to the world.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,9 +1,10 @@
 //! Forward kinematics, and the frames of all joints.
 
-use super::{Deriver, STYLES, Style};
+use super::{Deriver, STYLES, Style, planned_or};
 use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::{Carrier, Frames, Mark};
 use crate::algebra::vector::{self, M3, V3};
+use crate::plan::{self, Planned, Wanted};
 
 /// A pose as terms.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -258,9 +259,19 @@ pub fn position(d: &mut Deriver<'_>, tip: &Mark) -> V3<Term> {
     d.cheapest(&ways).unwrap_or([Term::ZERO; 3])
 }
 
-/// The pose of the tip, in the cheapest style.
+/// The pose of the tip.
 pub fn fk(exprs: &mut Exprs, frames: &Frames) -> TermPose {
-    cheapest_style(exprs, frames, |d| tip_pose(d, &frames.tip))
+    planned_or(
+        exprs,
+        |exprs| by_plan(plan::planned(exprs, frames, Wanted::Pose)?),
+        |exprs| cheapest_style(exprs, frames, |d| tip_pose(d, &frames.tip)),
+    )
+}
+
+/// The pose of a plan, and whether it is the structure's own.
+pub fn by_plan(planned: Planned) -> Option<(TermPose, bool)> {
+    let (rotation, position) = planned.pose?;
+    Some((TermPose { rotation, position }, planned.own))
 }
 
 /// The pose of a frame.

@@ -1,14 +1,27 @@
 //! What a spherical wrist is solved with: ³R₆, ⁰R₃ with the wrist centre, and their counterparts for a given pose.
 
-use super::pose::{TermPose, cheapest_style, rotation_name, tip_pose};
-use super::{Deriver, Style};
+use super::pose::{TermPose, by_plan, cheapest_style, fk, rotation_name};
+use super::{Deriver, Style, planned_or};
 use crate::algebra::expr::{Exprs, Term};
 use crate::algebra::frame::Frames;
 use crate::algebra::ring::Poly;
 use crate::algebra::vector::{self, M3, V3};
+use crate::plan;
 
-/// ³R₆ of the last three joints: staged column by column, or with the four products of outer sines and cosines shared.
+/// ³R₆ of the last three joints.
 pub fn r36(exprs: &mut Exprs, frames: &Frames) -> M3<Term> {
+    planned_or(
+        exprs,
+        |exprs| {
+            let (pose, own) = by_plan(plan::planned_turn(exprs, frames)?)?;
+            Some((pose.rotation, own))
+        },
+        |exprs| r36_by_style(exprs, frames),
+    )
+}
+
+/// Staged column by column, or with the four products of outer sines and cosines shared.
+fn r36_by_style(exprs: &mut Exprs, frames: &Frames) -> M3<Term> {
     let start = exprs.mark();
     let staged =
         |exprs: &mut Exprs| cheapest_style(exprs, frames, |d| d.rotation(&frames.tip, &rotation_name));
@@ -59,11 +72,17 @@ fn outer_products(exprs: &mut Exprs, frames: &Frames) -> Option<M3<Term>> {
 
 /// ⁰R₃ and a point fixed in frame 3.
 pub fn r03(exprs: &mut Exprs, frames: &Frames, point: &V3<Poly>) -> TermPose {
+    let frames = with_tip_at(exprs, frames, point);
+    fk(exprs, &frames)
+}
+
+/// The frames with the tip moved to a point fixed in it.
+pub fn with_tip_at(exprs: &mut Exprs, frames: &Frames, point: &V3<Poly>) -> Frames {
     let mut tip = frames.tip.clone();
     let point = constants(exprs, point);
     let offset = vector::apply(exprs, &tip.local, &point);
     tip.shift = vector::add(exprs, &tip.shift, &offset);
-    cheapest_style(exprs, frames, |d| tip_pose(d, &tip))
+    Frames { tip, ..frames.clone() }
 }
 
 /// The given pose's entries as a matrix and a vector.

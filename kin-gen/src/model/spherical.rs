@@ -1,10 +1,9 @@
 //! The programs of an arm with a spherical wrist.
 
 use super::{PoseSolver, Work, flat, matrix_outputs, rotation_outputs};
-use crate::algebra::frame::{Stretch, Values};
+use crate::algebra::frame::Values;
 use crate::algebra::ring::Poly;
 use crate::algebra::vector;
-use crate::chain::Element;
 use crate::derive::wrist;
 use crate::family::spherical_wrist::SphericalWrist;
 use crate::program::Mismatch;
@@ -12,15 +11,8 @@ use crate::truth;
 
 impl Work<'_> {
     pub(super) fn pose_solver(&mut self, geometry: SphericalWrist) -> Result<PoseSolver, Mismatch> {
-        let chain = self.chain;
-        let third = chain.frames.get(2).copied().unwrap_or(0);
         let apart = self.outers.base.general;
-        let base: &[Element] = if apart { &[] } else { &chain.base };
-        let arm =
-            Stretch { elements: base.iter().chain(&chain.elements[..third]).collect(), frames: Vec::new() };
-        // Fixed rows behind joint 6 belong to the tool's side.
-        let sixth = chain.frames.get(5).copied().unwrap_or(chain.elements.len());
-        let hand = Stretch { elements: chain.elements[third..sixth].iter().collect(), frames: Vec::new() };
+        let [arm, hand] = self.arm_and_hand();
         let start = self.exprs.mark();
 
         let frames = self.frames(Values::Rows, &hand)?;

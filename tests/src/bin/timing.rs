@@ -1,7 +1,8 @@
 //! `cargo run -p tests --bin timing`: how long the compiler makes a user wait.
 //!
-//! Two promises: `dh!` of a six-axis arm expands in less than 100 ms as users get it, and `cargo check` of one arm in
-//! a new crate, its dependencies built, takes less than 2 s. Exit code 1 if one of them is missed.
+//! Promises: `dh!` expands, as users get it, in less than 100 ms for a six-axis arm of a common structure, 500 ms for one of
+//! a structure that has no plan, 1 s for seven axes; `cargo check` of one arm in a new crate, its dependencies built,
+//! takes less than 2 s. Exit code 1 if one of them is missed.
 //!
 //! "As users get it" is unoptimised: cargo builds macros at `opt-level = 0`, in release builds too. So the expansion is
 //! timed in this process only if the process is a plain `cargo run` (with `--release` it would time an optimised
@@ -16,8 +17,12 @@ use std::time::{Duration, Instant};
 
 use kin_gen::decl::lex;
 
-/// Promised for one expansion of a six-axis arm.
+/// Promised for one expansion of a six-axis arm of a common structure.
 const EXPANSION: Duration = Duration::from_millis(100);
+/// Promised for one of a structure that has no plan.
+const UNKNOWN: Duration = Duration::from_millis(500);
+/// Promised for one of seven axes.
+const SEVEN: Duration = Duration::from_secs(1);
 /// Promised for `cargo check` of one arm in a new crate.
 const CHECK: Duration = Duration::from_secs(2);
 /// How often each thing is timed; the median counts.
@@ -68,6 +73,32 @@ let d1 = 47; let a1 = 30; let d2 = 45; let a2 = 120; let a4 = 20; let d5 = 130; 
 check [0, 0, 0, 0, 0, 0] => (-69, 0, 112);
 ";
 
+/// Two pairs of parallel axes, and an axis at an odd angle: no plan fits.
+const ODD: &str = "
+pub struct NAME(modified, mm, deg);
+| joint | alpha |  a  |  d  | theta  |
+|-------|-------|-----|-----|--------|
+| J1    |   0   |  0  | 300 | q      |
+| J2    |  90   |  40 | 20  | q      |
+| J3    |   0   | 410 | 0   | q + 90 |
+| J4    | -90   |  25 | 350 | q      |
+| J5    |   0   |  90 | 15  | q      |
+| J6    |  60   |  10 | 85  | q      |
+";
+
+/// Parallel axes where few arms have them, at right angles otherwise.
+const RARE: &str = "
+pub struct NAME(modified, mm, deg);
+| joint | alpha |  a  |  d  | theta  |
+|-------|-------|-----|-----|--------|
+| J1    |   0   |  0  | 300 | q      |
+| J2    |   0   | 140 | 20  | q      |
+| J3    |  90   | 410 | 30  | q + 90 |
+| J4    | -90   |  25 | 350 | q      |
+| J5    |   0   |  90 | 15  | q      |
+| J6    |  90   |  10 | 85  | q      |
+";
+
 fn main() -> ExitCode {
     if !cfg!(debug_assertions) {
         eprintln!("run this without --release: macros are built unoptimised, so that is what must be timed");
@@ -85,9 +116,18 @@ fn main() -> ExitCode {
 
 fn measure() -> Result<bool, Box<dyn Error>> {
     let mut kept = true;
-    for (name, text) in [("Puma560", PUMA), ("Ur5", UR5), ("LabArm", LAB)] {
-        let time = expansion(&text.replace("NAME", name))?;
-        kept &= verdict(&format!("expansion of {name}, unoptimised"), time, EXPANSION);
+    let panda = <robots::Panda as kin_runtime::Arm<7>>::TABLE;
+    let arms = [
+        ("Puma560", PUMA, EXPANSION),
+        ("Ur5", UR5, EXPANSION),
+        ("LabArm", LAB, EXPANSION),
+        ("a rare structure", RARE, UNKNOWN),
+        ("odd angles", ODD, UNKNOWN),
+        ("Panda", panda, SEVEN),
+    ];
+    for (name, text, promised) in arms {
+        let time = expansion(&text.replace("NAME", "Subject"))?;
+        kept &= verdict(&format!("expansion of {name}, unoptimised"), time, promised);
     }
     let folder = NewCrate::create()?;
     let one = folder.check(1)?;

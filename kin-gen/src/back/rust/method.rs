@@ -159,7 +159,14 @@ impl Printer<'_> {
         };
         let sines = list(&|turn| named(Op::Sin(turn)));
         let cosines = list(&|turn| named(Op::Cos(turn)));
-        let angles = list(&|turn| infix::turn(&program.turns[turn], self));
+        let taken = (0..program.turns.len()).filter(|_| turns == Turns::Taken);
+        for turn in taken.filter(|turn| begins_another(program, *turn)) {
+            line!(text, "let {} = {};", self.sum_name(program, turn), self.angle(program, turn));
+        }
+        let angles = list(&|turn| match begins_another(program, turn) {
+            true => self.sum_name(program, turn),
+            false => self.angle(program, turn),
+        });
         let krate = self.krate;
         match program.turns.len() {
             0 => {}
@@ -169,6 +176,22 @@ impl Printer<'_> {
             1 => line!(text, "let ({sines}, {cosines}) = {krate}::Real::sin_cos({angles});"),
             _ => line!(text, "let ([{sines}], [{cosines}]) = {krate}::Real::sin_cos_all([{angles}]);"),
         }
+    }
+
+    /// A sum of angles, from the sum that it begins with if there is one.
+    fn angle(&self, program: &Program, turn: usize) -> String {
+        let Some(begun) = program.begun_by(turn) else { return infix::turn(&program.turns[turn], self) };
+        let mut rest = program.turns[turn].clone();
+        rest.joints.drain(..program.turns[begun].joints.len());
+        infix::turn_from(self.sum_name(program, begun), &rest, self)
+    }
+
+    /// `q23` for q2 + q3; `q_23` where that could be a joint's own name.
+    fn sum_name(&self, program: &Program, turn: usize) -> String {
+        let is_of = |op: &Op| *op == Op::Sin(turn) || *op == Op::Cos(turn);
+        let name = program.steps.iter().find(|s| is_of(&s.op)).and_then(|s| s.name.as_deref());
+        let suffix = name.and_then(|name| name.get(1..)).unwrap_or_default();
+        format!("{}{suffix}", if self.arm.joints.len() < 10 { "q" } else { "q_" })
     }
 
     pub(super) fn value(&self, program: &Program, gives: Gives) -> String {
@@ -256,4 +279,9 @@ fn negated<'a>(program: &Program, output: &'a Output) -> Option<&'a str> {
         Value::Step { index, negative: true } if program.steps[index].name.is_none() => Some(&output.name),
         _ => None,
     }
+}
+
+/// Whether a later sum of angles begins with this one.
+fn begins_another(program: &Program, turn: usize) -> bool {
+    (turn + 1..program.turns.len()).any(|later| program.begun_by(later) == Some(turn))
 }
