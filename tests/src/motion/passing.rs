@@ -33,6 +33,8 @@ pub struct Findings {
     pub widest: Worst,
     /// Trial, figure and time of each change that the monitor did not find.
     pub lost: Vec<(u64, usize, f64)>,
+    /// The same, of each change that no passage of its own stands for: only a bracket wider than two samples, or a touch, covers it.
+    pub blurred: Vec<(u64, usize, f64)>,
     /// The same, of each passage of the monitor between whose samples there is no change, nor a second passage.
     pub false_alarms: Vec<(u64, usize, f64)>,
 }
@@ -48,6 +50,7 @@ impl Findings {
         self.touches += other.touches;
         self.widest = self.widest.and(other.widest);
         self.lost.extend(other.lost);
+        self.blurred.extend(other.blurred);
         self.false_alarms.extend(other.false_alarms);
         self
     }
@@ -189,9 +192,15 @@ fn compare(
     let inside = |change: f64, crossing: &Crossing<f64, 6>| {
         crossing.between.1 >= change - step - blur && crossing.between.0 <= change + blur
     };
+    let own = |change: f64, crossing: &Crossing<f64, 6>| {
+        let narrow = crossing.between.1 - crossing.between.0 <= 2.0 * step;
+        narrow && crossing.passage != Passage::Touches && inside(change, crossing)
+    };
     for change in changes {
         if !passages.iter().any(|crossing| inside(*change, crossing)) {
             found.lost.push((trial, figure, *change));
+        } else if !passages.iter().any(|crossing| own(*change, crossing)) {
+            found.blurred.push((trial, figure, *change));
         }
     }
     for crossing in passages {
