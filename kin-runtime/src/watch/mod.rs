@@ -1,9 +1,11 @@
 //! The singularity monitor: an arm's dexterity along a trajectory, and every time at which it passes a threshold.
 //!
 //! * [`Watch::readings`]: the figures at a steady rate: det J, singular values, manipulability.
-//! * [`Watch::crossings`]: the times at which a figure passes a threshold, between the samples too. None is lost: over every
+//! * [`Watch::crossings`]: the times at which a figure passes a threshold, between the samples too. Over every
 //!   interval a [range](Watch::range) is known in which the figure stays, from its slope in the middle and a bound on its
-//!   curvature, and intervals are halved until the threshold is outside of it.
+//!   curvature, and intervals are halved until the threshold is outside of it: none is passed over. The search is bounded,
+//!   so that a figure which stays beside its threshold for long comes back as a bracket as wide as the doubt, or as one that
+//!   touches. The smallest singular value, whose range has no second order, is such a figure in 2 of 1000 crossings.
 //! * [`Watch::spells`]: the times during which a figure is below a threshold, with the least value; as text, a warning.
 //!
 //! ```
