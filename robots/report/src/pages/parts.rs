@@ -1,9 +1,11 @@
 //! What several pages show alike: solutions with their true values, mistakes with what follows from them.
 
+use std::collections::BTreeSet;
+
 use kin_gen::number::Real;
 use kin_runtime::prelude::*;
 use kin_runtime::{JointSet, dexterity};
-use nalgebra::{IsometryMatrix3, Rotation3, Translation3};
+use nalgebra::{IsometryMatrix3, Rotation3, Translation3, Vector3};
 
 use crate::exact::{self, Goal, refined};
 use crate::html::{Page, Table, digits, number, rough};
@@ -94,6 +96,21 @@ where
 /// Joint values as cells.
 pub(super) fn joint_cells(q: &[f64], decimals: usize) -> Vec<String> {
     q.iter().map(|x| number(*x, decimals)).collect()
+}
+
+/// In how many postures of the arm the wrist centre can be at a distance from axis 1 and a height; the tool stands `tool`
+/// before the wrist centre, in its own frame.
+pub(super) fn postures<A>(arm: &A, tool: [f64; 3], rho: f64, z: f64) -> usize
+where
+    A: InverseKinematics<6, Branch = Posture>,
+{
+    // Any orientation that is not singular for the wrist will do.
+    let rotation = EulerZyx { z: 0.3, y: 0.4, x: 0.5 }.to_rotation();
+    let tool = rotation * Vector3::from(tool);
+    let shift = Translation3::new(rho + tool.x, tool.y, z + tool.z);
+    let solved = arm.ik(&IsometryMatrix3::from_parts(shift, rotation));
+    let postures: BTreeSet<String> = solved.iter().map(|s| s.branch.arm().to_string()).collect();
+    postures.len()
 }
 
 /// The table of a pose's solutions, isolated ones and families.

@@ -9,7 +9,7 @@ use kin_gen::back::mathml;
 use kin_runtime::prelude::*;
 use robots::ElbowWrist;
 
-use super::parts::{Mistake, mistakes, share};
+use super::parts::{Mistake, mistakes, postures, share};
 use super::sample::TRIALS;
 use crate::formulas;
 use crate::html::{Page, rough};
@@ -110,14 +110,7 @@ fn arm(page: &mut Page, model: &Model) -> Result<(), ModelError> {
 
 fn workspace(page: &mut Page, model: &Model) {
     page.section("workspace", "Workspace");
-    let ways = |rho: f64, z: f64| {
-        let rotation = EulerZyx { z: 0.3, y: 0.4, x: 0.5 }.to_rotation();
-        let shift = nalgebra::Translation3::new(rho, 0.0, z);
-        let solved = ElbowWrist.ik(&nalgebra::IsometryMatrix3::from_parts(shift, rotation));
-        let postures: std::collections::BTreeSet<String> =
-            solved.iter().map(|s| s.branch.arm().to_string()).collect();
-        postures.len()
-    };
+    let ways = |rho: f64, z: f64| postures(&ElbowWrist, [0.0; 3], rho, z);
     let section = Section::of(model, "m", &ways);
     page.figure(
         "figure-workspace",

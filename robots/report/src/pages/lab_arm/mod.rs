@@ -5,9 +5,9 @@ mod figures;
 mod mistakes;
 
 use kin_runtime::prelude::*;
-use nalgebra::{IsometryMatrix3, Translation3};
 use robots::LabArm;
 
+use super::parts::postures;
 use crate::formulas;
 use crate::html::{Page, Table};
 use crate::model::{Model, ModelError};
@@ -88,14 +88,7 @@ fn arm(page: &mut Page, model: &Model) {
 
 /// How many ways there are to bring the wrist centre to a distance from axis 1 and a height.
 fn ways(rho: f64, z: f64) -> usize {
-    // Any orientation that is not singular for the wrist will do.
-    let rotation = EulerZyx { z: 0.3, y: 0.4, x: 0.5 }.to_rotation();
-    let tool = rotation * nalgebra::Vector3::new(0.0, 0.0, 29.0);
-    let pose = IsometryMatrix3::from_parts(Translation3::new(rho + tool.x, tool.y, z + tool.z), rotation);
-    let solved = LabArm.ik(&pose);
-    let postures: std::collections::BTreeSet<String> =
-        solved.iter().map(|s| s.branch.arm().to_string()).collect();
-    postures.len()
+    postures(&LabArm, [0.0, 0.0, 29.0], rho, z)
 }
 
 fn workspace(page: &mut Page, model: &Model) {

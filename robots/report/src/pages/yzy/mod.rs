@@ -7,7 +7,7 @@ use kin_gen::back::mathml;
 use kin_runtime::prelude::*;
 use robots::Anthropomorphic;
 
-use super::parts::{named, overlaid, side_by_side, solution_table, solutions};
+use super::parts::{named, overlaid, postures, side_by_side, solution_table, solutions};
 use crate::exact::{decimal, zyx};
 use crate::formulas;
 use crate::html::Page;
@@ -122,16 +122,8 @@ fn figures(page: &mut Page, model: &Model) {
 
 fn workspace(page: &mut Page, model: &Model) {
     page.section("workspace", "Workspace");
-    let ways = |rho: f64, z: f64| {
-        // Any orientation that is not singular for the wrist will do; the tool stands 1 m along its own y.
-        let rotation = EulerZyx { z: 0.3, y: 0.4, x: 0.5 }.to_rotation();
-        let tool = rotation * nalgebra::Vector3::new(0.0, 1.0, 0.0);
-        let shift = nalgebra::Translation3::new(rho + tool.x, tool.y, z + tool.z);
-        let solved = Anthropomorphic.ik(&nalgebra::IsometryMatrix3::from_parts(shift, rotation));
-        let postures: std::collections::BTreeSet<String> =
-            solved.iter().map(|s| s.branch.arm().to_string()).collect();
-        postures.len()
-    };
+    // The tool stands 1 m along its own y.
+    let ways = |rho: f64, z: f64| postures(&Anthropomorphic, [0.0, 1.0, 0.0], rho, z);
     let section = Section::of(model, "m", &ways);
     page.figure(
         "figure-workspace",
