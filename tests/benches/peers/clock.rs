@@ -31,20 +31,45 @@ pub(crate) fn medians(ways: &mut [Way]) -> Vec<f64> {
     times.into_iter().map(mean).collect()
 }
 
+/// What one way takes, beside the first of its group.
+pub(crate) struct Row<'a> {
+    pub(crate) way: &'a Way,
+    /// Whether it is the first of its group.
+    pub(crate) opens: bool,
+    /// Nanoseconds.
+    pub(crate) time: f64,
+    /// Instructions; NaN if they were not counted.
+    pub(crate) count: f64,
+    /// How many times the first one's time.
+    pub(crate) slower: f64,
+    /// How many times the first one's instructions.
+    pub(crate) more: f64,
+}
+
+/// All ways beside the first of their groups, in order.
+pub(crate) fn rows<'a>(ways: &'a [Way], times: &[f64], counts: Option<&[f64]>) -> Vec<Row<'a>> {
+    let mut first = (0.0, 0.0);
+    let mut group = "";
+    let row = |(index, (way, time)): (usize, (&'a Way, &f64))| {
+        let count = counts.map_or(f64::NAN, |counts| counts[index]);
+        let opens = way.group != group;
+        if opens {
+            (group, first) = (way.group, (*time, count));
+        }
+        Row { way, opens, time: *time, count, slower: time / first.0, more: count / first.1 }
+    };
+    ways.iter().zip(times).enumerate().map(row).collect()
+}
+
 /// A table for the terminal: time, instructions, and how many times this library's they are.
 pub(crate) fn table(ways: &[Way], times: &[f64], counts: Option<&[f64]>) -> String {
     let mut text = String::new();
-    let mut first = (0.0, 0.0);
-    let mut group = "";
-    for (index, (way, time)) in ways.iter().zip(times).enumerate() {
-        let count = counts.map_or(f64::NAN, |counts| counts[index]);
-        if way.group != group {
-            (group, first) = (way.group, (*time, count));
+    for Row { way, opens, time, count, slower, more } in rows(ways, times, counts) {
+        let (group, name) = (way.group, way.name);
+        if opens {
             let _ = writeln!(text, "\n{group:<38}{:>10}{:>8}{:>15}{:>8}", "time", "", "instructions", "");
         }
-        let ratios = (time / first.0, count / first.1);
-        let name = way.name;
-        let _ = writeln!(text, "  {name:<36}{time:>7.1} ns{:>7.2}×{count:>15.0}{:>7.2}×", ratios.0, ratios.1);
+        let _ = writeln!(text, "  {name:<36}{time:>7.1} ns{slower:>7.2}×{count:>15.0}{more:>7.2}×");
     }
     text.push('\n');
     text

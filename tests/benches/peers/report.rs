@@ -31,15 +31,12 @@ fn page(ways: &[Way], times: &[f64], counts: Option<&[f64]>) -> String {
          forward kinematics, as this library does; its Jacobian is a difference quotient. \"Each waiting for the last\" \
          is latency: every call takes an addition of what the one before gave, times nothing.\n\n"
     );
-    let mut first = (0.0, 0.0);
-    let mut group = "";
-    for (index, (way, time)) in ways.iter().zip(times).enumerate() {
-        let count = counts.map_or(f64::NAN, |counts| counts[index]);
-        if way.group != group {
-            (group, first) = (way.group, (*time, count));
+    for (index, row) in clock::rows(ways, times, counts).into_iter().enumerate() {
+        let clock::Row { way, opens, time, count, slower, more } = row;
+        let (group, name) = (way.group, way.name);
+        if opens {
             let _ = writeln!(text, "| {group} | ns | × | instructions | × |\n|---|---|---|---|---|");
         }
-        let (name, slower, more) = (way.name, time / first.0, count / first.1);
         let _ = writeln!(text, "| {name} | {time:.0} | {slower:.1} | {count:.0} | {more:.1} |");
         if ways.get(index + 1).is_none_or(|next| next.group != group) {
             text.push('\n');
