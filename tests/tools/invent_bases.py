@@ -183,31 +183,43 @@ def wrist(exact, base, rotation):
     _, r, _ = exact.frames(list(base))
     m = [[sum(r[k][i] * rotation[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
     # Rz(q4)·Rx(-90)·Rz(q5)·Rx(90)·Rz(q6): third column (c4 s5, s4 s5, c5).
-    s5 = mpmath.hypot(m[0][2], m[1][2])
-    if s5 < mpmath.mpf(10) ** -14:
+    return triples(m)
+
+
+def triples(m):
+    """The angles of Rz·Ry·Rz: two triples, or the sum that is free to share."""
+    sine = mpmath.hypot(m[0][2], m[1][2])
+    if sine < mpmath.mpf(10) ** -14:
         return None, mpmath.atan2(m[1][0], m[0][0])
     ways = []
     for sign in (1, -1):
-        q4 = mpmath.atan2(sign * m[1][2], sign * m[0][2])
-        c, s = mpmath.cos(q4), mpmath.sin(q4)
-        q5 = mpmath.atan2(c * m[0][2] + s * m[1][2], m[2][2])
-        q6 = mpmath.atan2(c * m[1][0] - s * m[0][0], c * m[1][1] - s * m[0][1])
-        ways.append([q4, q5, q6])
+        first = mpmath.atan2(sign * m[1][2], sign * m[0][2])
+        c, s = mpmath.cos(first), mpmath.sin(first)
+        second = mpmath.atan2(c * m[0][2] + s * m[1][2], m[2][2])
+        third = mpmath.atan2(c * m[1][0] - s * m[0][0], c * m[1][1] - s * m[0][1])
+        ways.append([first, second, third])
     return ways, None
+
+
+def zero_of(at):
+    """An angle at which a function changes its sign; None if none is seen on a grid."""
+    grid = [-math.pi + 2 * math.pi * k / 40 for k in range(41)]
+    for low, high in zip(grid, grid[1:]):
+        if at(low) * at(high) < 0:
+            for _ in range(80):
+                middle = (low + high) / 2
+                low, high = (middle, high) if at(low) * at(middle) > 0 else (low, middle)
+            return (low + high) / 2
+    return None
 
 
 def singular(arm, rng):
     """Base joints where the determinant vanishes, and the third joint's neighbourhood; None if there is none near."""
     for _ in range(200):
         q = starts(arm, rng)
-        at = lambda v: det(arm.centre([q[0], q[1], v])[1])
-        grid = [-math.pi + 2 * math.pi * k / 40 for k in range(41)]
-        for low, high in zip(grid, grid[1:]):
-            if at(low) * at(high) < 0:
-                for _ in range(80):
-                    middle = (low + high) / 2
-                    low, high = (middle, high) if at(low) * at(middle) > 0 else (low, middle)
-                return [q[0], q[1], (low + high) / 2]
+        third = zero_of(lambda v: det(arm.centre([q[0], q[1], v])[1]))
+        if third is not None:
+            return [q[0], q[1], third]
     return None
 
 

@@ -76,31 +76,16 @@ def shoulder(exact, hand, rotation):
     _, first, _ = exact.frames(zero)
     # R = Rz(q1)·Ry(q2)·Rz(q3)·still, where still is the product of all rows with the shoulder at zero.
     m = [[sum(rotation[i][k] * still[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
-    s2 = mpmath.hypot(m[0][2], m[1][2])
-    if s2 < mpmath.mpf(10) ** -14:
-        return None, mpmath.atan2(m[1][0], m[0][0])
-    ways = []
-    for sign in (1, -1):
-        q1 = mpmath.atan2(sign * m[1][2], sign * m[0][2])
-        c, s = mpmath.cos(q1), mpmath.sin(q1)
-        q2 = mpmath.atan2(c * m[0][2] + s * m[1][2], m[2][2])
-        q3 = mpmath.atan2(c * m[1][0] - s * m[0][0], c * m[1][1] - s * m[0][1])
-        ways.append([q1, q2, q3])
-    return ways, None
+    return bases.triples(m)
 
 
 def singular(arm, rng):
     """Values of joints 4 to 6 at which the determinant vanishes, found along joint 4; None if there are none."""
     for _ in range(200):
         _, q5, q6 = bases.starts(arm, rng)
-        at = lambda v: bases.det(arm.centre([v, q5, q6])[1])
-        grid = [-math.pi + 2 * math.pi * k / 40 for k in range(41)]
-        for low, high in zip(grid, grid[1:]):
-            if at(low) * at(high) < 0:
-                for _ in range(80):
-                    middle = (low + high) / 2
-                    low, high = (middle, high) if at(low) * at(middle) > 0 else (low, middle)
-                return [(low + high) / 2, q5, q6]
+        fourth = bases.zero_of(lambda v: bases.det(arm.centre([v, q5, q6])[1]))
+        if fourth is not None:
+            return [fourth, q5, q6]
     return None
 
 
