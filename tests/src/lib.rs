@@ -3,7 +3,7 @@
 //! Nothing in here calls what it judges. Poses come from a plain product of 4×4 matrices, Jacobians from the same
 //! product in dual numbers, both straight from the rows of `data/arms.json`, whose strings are evaluated here as well.
 //! The scores of inverse solutions count as the reference's own scorer does. [`measured`] and [`structures`] judge
-//! nothing: they say which arms are counted and which structures get plans.
+//! nothing: they say which arms are counted and which structures get plans; [`skew`] is an arm.
 //!
 //! ```text
 //! data/*.json ► reference ► product (f64, dual) ► pose, Jacobian, reach
@@ -30,6 +30,7 @@ pub mod reliability;
 pub mod sample;
 pub mod score;
 pub mod seeds;
+pub mod skew;
 pub mod structures;
 pub mod trig;
 

@@ -8,23 +8,10 @@ use kin_runtime::{JointKind, Reason};
 use robots::{Irb2400, Kr6R700, LabArm, LabRrr, Puma560, Stanford};
 use tests::reliability::subject::Bits;
 use tests::sample::Sampler;
+use tests::skew::Skew;
 
 /// A search is slow where nothing is optimised: a part of the poses then.
 const SHARE: usize = if cfg!(debug_assertions) { 4 } else { 1 };
-
-dh! {
-    /// Three skew axes carry the wrist.
-    struct Skew(standard, m, deg);
-
-    | joint | theta |  d   |  a   | alpha |
-    |-------|-------|------|------|-------|
-    | J1    | q     |  0.3 | 0.15 |  60   |
-    | J2    | q     |  0.1 | 0.45 |  75   |
-    | J3    | q     | -0.2 | 0.25 | 110   |
-    | J4    | q     |  0.3 | 0    | -90   |
-    | J5    | q     |  0   | 0    |  90   |
-    | J6    | q     |  0.1 | 0    |   0   |
-}
 
 dh! {
     /// A slide between two turns.

@@ -6,20 +6,7 @@ use std::f64::consts::PI;
 use kin_runtime::math;
 use kin_runtime::prelude::*;
 use tests::sample::Sampler;
-
-dh! {
-    /// No two neighbouring axes of the base meet, are parallel or stand at right angles.
-    pub struct Skew(standard, m, deg);
-
-    | joint | theta | d    | a    | alpha |
-    |-------|-------|------|------|-------|
-    | J1    | q     | 0.3  | 0.15 | 60    |
-    | J2    | q     | 0.1  | 0.45 | 75    |
-    | J3    | q     | -0.2 | 0.25 | 110   |
-    | J4    | q     | 0.3  | 0    | -90   |
-    | J5    | q     | 0    | 0    | 90    |
-    | J6    | q     | 0.1  | 0    | 0     |
-}
+use tests::skew::Skew;
 
 dh! {
     /// Neighbouring axes at right angles, and the arm cuspidal: joints 1 to 3 can change from one solution to another without a

@@ -21,6 +21,7 @@ use kin_runtime::private::{SolvePosition, SolveWrist};
 use robots::{Irb2400, LabArm, LabRrr, Puma560, Stanford};
 use tests::reliability::subject::{ByPoint, ByPose, Subject, Tried};
 use tests::sample::Sampler;
+use tests::skew::Skew;
 
 /// Poses for each arm, three in four aimed at singular sets.
 const POSES: usize = 1000;
@@ -30,20 +31,6 @@ const FEWEST: usize = 16;
 const PROMISED: f64 = 1.5;
 /// The word by which the program knows that it is being counted.
 const COUNTED: &str = "counted";
-
-dh! {
-    /// Three skew axes carry the wrist.
-    pub struct Skew(standard, m, deg);
-
-    | joint | theta |  d   |  a   | alpha |
-    |-------|-------|------|------|-------|
-    | J1    | q     |  0.3 | 0.15 |  60   |
-    | J2    | q     |  0.1 | 0.45 |  75   |
-    | J3    | q     | -0.2 | 0.25 | 110   |
-    | J4    | q     |  0.3 | 0    | -90   |
-    | J5    | q     |  0   | 0    |  90   |
-    | J6    | q     |  0.1 | 0    |   0   |
-}
 
 /// The function that is counted: one pose, all solutions.
 #[inline(never)]
