@@ -98,6 +98,28 @@ pub trait Arm<const N: usize> {
 
     /// Pose and Jacobian together, for less than the two apart.
     fn fk_jacobian<T: Real>(&self, q: &Joints<T, N>) -> (Pose<T>, Jacobian<T, N>);
+
+    /// [`fk`](Arm::fk) as part of its caller, compiled for the instructions that the caller has: for batches. Generated
+    /// arms have their program here.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn fk_inlined<T: Real>(&self, q: &Joints<T, N>) -> Pose<T> {
+        self.fk(q)
+    }
+
+    /// [`jacobian`](Arm::jacobian) as part of its caller.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn jacobian_inlined<T: Real>(&self, q: &Joints<T, N>) -> Jacobian<T, N> {
+        self.jacobian(q)
+    }
+
+    /// [`fk_jacobian`](Arm::fk_jacobian) as part of its caller.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn fk_jacobian_inlined<T: Real>(&self, q: &Joints<T, N>) -> (Pose<T>, Jacobian<T, N>) {
+        self.fk_jacobian(q)
+    }
 }
 
 /// An arm whose last three axes meet in one point, the wrist centre.

@@ -128,12 +128,15 @@
 //! [`arm`] the traits · [`pose`] poses, joint vectors, Euler angles · [`geometry`] the figures that solutions are spelled
 //! with · [`ik`] the solvers, one page each · [`solutions`] what they give back · [`limits`] · [`track`] paths of poses ·
 //! [`trajectory`] motions in time · [`watch`] their singular poses · [`rates`] velocity and force ·
-//! [`singularity`] · [`dual`] rates of change · [`dynamic`] arms behind references · [`math`] numbers.
+//! [`batch`] slices of configurations and poses · [`singularity`] · [`dual`] rates of change · [`dynamic`] arms behind
+//! references · [`math`] numbers.
 //!
-//! The feature `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
+//! The feature `std` lets batches find the widest instructions of the machine, `rayon` lets them have all its threads. The
+//! feature `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
 
 pub mod arm;
+pub mod batch;
 mod choice;
 pub mod dual;
 pub mod dynamic;
@@ -154,6 +157,7 @@ pub mod trajectory;
 pub mod watch;
 
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
+pub use batch::{Batch, BatchError};
 pub use dh_macro::dh;
 pub use dual::Dual;
 pub use dynamic::{DynArm, DynError, DynOutcome, DynSlot, Inverse};
@@ -177,11 +181,14 @@ pub use watch::{Factor, Factored, Factors, Measure, Watch};
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {
     pub use crate::{
-        Arm, ArmPosture, Bend, Branch, ClosestPoint, ClosestPose, Elbow, Euler, EulerZyx, Family, Float,
-        Hand, InverseKinematics, Jacobian, Joints, Limits, Pose, PositionInverse, Posture, Real, Reason,
-        Shoulder, ShoulderPosture, Slot, Solution, Solutions, SphericalWrist, Step, Winding, dh, joints,
+        Arm, ArmPosture, Batch, Bend, Branch, ClosestPoint, ClosestPose, Elbow, Euler, EulerZyx, Family,
+        Float, Hand, InverseKinematics, Jacobian, Joints, Limits, Pose, PositionInverse, Posture, Real,
+        Reason, Shoulder, ShoulderPosture, Slot, Solution, Solutions, SphericalWrist, Step, Winding, dh,
+        joints,
     };
     // Once more without their names: an arm that is itself called `Arm` hides the name, not the methods.
-    pub use crate::{Arm as _, InverseKinematics as _, PositionInverse as _, SphericalWrist as _};
+    pub use crate::{
+        Arm as _, Batch as _, InverseKinematics as _, PositionInverse as _, SphericalWrist as _,
+    };
     pub use nalgebra::{Matrix3, Point3};
 }

@@ -138,6 +138,7 @@ pub(crate) fn plain<T: Float>(value: T, digits: usize) -> T {
 }
 
 /// A pose from the rows of its rotation matrix and its position.
+#[inline(always)]
 pub(crate) fn from_rows<T: Real>(rotation: [[T; 3]; 3], position: [T; 3]) -> Pose<T> {
     Pose {
         rotation: Rotation3::from_matrix_unchecked(matrix3(rotation)),
@@ -146,28 +147,33 @@ pub(crate) fn from_rows<T: Real>(rotation: [[T; 3]; 3], position: [T; 3]) -> Pos
 }
 
 /// The rows of the rotation matrix, and the position.
+#[inline(always)]
 pub(crate) fn rows<T: Real>(pose: &Pose<T>) -> ([[T; 3]; 3], [T; 3]) {
     let [position] = pose.translation.vector.data.0;
     (matrix_rows(pose.rotation.matrix()), position)
 }
 
 /// A matrix from its rows.
+#[inline(always)]
 pub(crate) fn matrix3<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[T; 3]; 3]) -> Matrix3<T> {
     Matrix3::from_array_storage(ArrayStorage([[a, d, g], [b, e, h], [c, f, i]]))
 }
 
 /// The rows of a matrix.
+#[inline(always)]
 pub(crate) fn matrix_rows<T: Real>(matrix: &Matrix3<T>) -> [[T; 3]; 3] {
     let [[a, d, g], [b, e, h], [c, f, i]] = matrix.data.0;
     [[a, b, c], [d, e, f], [g, h, i]]
 }
 
 /// A column from its entries.
+#[inline(always)]
 pub(crate) fn column<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))
 }
 
 /// The entries of a column.
+#[inline(always)]
 pub(crate) fn entries<T: Copy, const N: usize>(column: &SVector<T, N>) -> [T; N] {
     let [entries] = column.data.0;
     entries

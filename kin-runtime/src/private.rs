@@ -141,6 +141,7 @@ pub trait SolveShort<const N: usize>: Arm<N> {
 }
 
 /// A pose from the rows of its rotation and its position.
+#[inline(always)]
 pub fn pose<T: Real>(rotation: [[T; 3]; 3], position: [T; 3]) -> Pose<T> {
     pose::from_rows(rotation, position)
 }
@@ -151,16 +152,19 @@ pub fn entries<T: Real>(pose: &Pose<T>) -> ([[T; 3]; 3], [T; 3]) {
 }
 
 /// A Jacobian from its columns (vx, vy, vz, ωx, ωy, ωz).
+#[inline(always)]
 pub fn jacobian<T: Real, const N: usize>(columns: [[T; 6]; N]) -> Jacobian<T, N> {
     SMatrix::from_array_storage(ArrayStorage(columns))
 }
 
 /// A joint vector from its values.
+#[inline(always)]
 pub const fn joints<T, const N: usize>(values: [T; N]) -> Joints<T, N> {
     SMatrix::from_array_storage(ArrayStorage([values]))
 }
 
 /// A matrix from its rows.
+#[inline(always)]
 pub fn matrix<T: Real>(rows: [[T; 3]; 3]) -> Matrix3<T> {
     pose::matrix3(rows)
 }

@@ -1,8 +1,10 @@
 //! Nothing allocates: a counting allocator sees none of the library's calls, singular poses and refusals among them.
 
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
-use allocation_counter::measure;
+use allocation_counter::{AllocationInfo, measure};
+use kin_runtime::batch::Run;
 use kin_runtime::prelude::*;
 use kin_runtime::trajectory::{RateLimits, Shared, Trajectory};
 use nalgebra::Point3;
@@ -74,4 +76,33 @@ fn trajectories_allocate_nothing() {
         let moved = Trajectory::new(&Joints::zeros(), q, &limits, Shared::Duration).unwrap();
         black_box(moved.samples(20.0).unwrap().count());
     });
+}
+
+#[test]
+fn batches_allocate_nothing() {
+    let mut sampler = Sampler::new(29);
+    let q: Vec<Joints<f64, 6>> = (0..5000).map(|_| Joints::from(sampler.angles())).collect();
+    let mut poses = vec![Pose::identity(); q.len()];
+    let mut jacobians = vec![Jacobian::<f64, 6>::zeros(); q.len()];
+    let mut solutions = vec![None; q.len()];
+    let mut calls = 0;
+    let mut told = |_| {
+        calls += 1;
+        ControlFlow::Continue(())
+    };
+    let mut batches = |mut run: Run<'_>| {
+        run.fk(&Irb2400, &q, &mut poses).unwrap();
+        run.jacobian(&Irb2400, &q, &mut jacobians).unwrap();
+        run.fk_jacobian(&Irb2400, &q, &mut poses, &mut jacobians).unwrap();
+        run.ik(&Irb2400, &poses, &mut solutions).unwrap();
+    };
+    let none = |seen: AllocationInfo| assert_eq!(seen.count_total, 0, "{} bytes", seen.bytes_total);
+    none(measure(|| batches(Run::new().with_progress(&mut told))));
+    // In a pool of one thread all is done on the thread that counts, by the code that several threads have.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    pool.install(|| {
+        batches(Run::new().on_threads());
+        none(measure(|| batches(Run::new().on_threads())));
+    });
+    assert!(calls > 8);
 }

@@ -12,6 +12,7 @@ pub struct Lanes<T, const L: usize>(pub [T; L]);
 
 impl<T: Copy, const L: usize> Lanes<T, L> {
     /// The same number in every lane.
+    #[inline(always)]
     pub const fn splat(x: T) -> Self {
         Lanes([x; L])
     }
@@ -31,9 +32,17 @@ impl<T: Float, const L: usize> Lanes<T, L> {
     }
 
     /// One of the lanes; zero where there is none of that number.
-    #[inline]
+    #[inline(always)]
     pub fn lane(&self, lane: usize) -> T {
         self.0.get(lane).copied().unwrap_or_else(|| T::lit(0.0))
+    }
+
+    /// Sets one of the lanes, if there is one of that number.
+    #[inline(always)]
+    pub fn put(&mut self, lane: usize, value: T) {
+        if let Some(place) = self.0.get_mut(lane) {
+            *place = value;
+        }
     }
 }
 
@@ -42,7 +51,7 @@ macro_rules! lanewise {
     ($($operation:ident, $method:ident, $sign:tt;)*) => {$(
         impl<T: Real, const L: usize> $operation for Lanes<T, L> {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(mut self, other: Self) -> Self {
                 for (x, y) in self.0.iter_mut().zip(other.0) {
                     *x = *x $sign y;
@@ -57,22 +66,28 @@ lanewise! { Add, add, +; Sub, sub, -; Mul, mul, *; Div, div, /; }
 
 impl<T: Real, const L: usize> Neg for Lanes<T, L> {
     type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Lanes(self.0.map(T::neg))
+    #[inline(always)]
+    fn neg(mut self) -> Self {
+        for x in &mut self.0 {
+            *x = -*x;
+        }
+        self
     }
 }
 
 impl<T: Real, const L: usize> Real for Lanes<T, L> {
-    #[inline]
+    #[inline(always)]
     fn lit(x: f64) -> Self {
         Lanes::splat(T::lit(x))
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        Lanes(self.0.map(Real::sqrt))
+    #[inline(always)]
+    fn sqrt(mut self) -> Self {
+        for x in &mut self.0 {
+            *x = Real::sqrt(*x);
+        }
+        self
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sines, cosines) = T::sin_cos_all(self.0);
         (Lanes(sines), Lanes(cosines))

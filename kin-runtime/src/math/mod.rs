@@ -44,7 +44,7 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// The sines and the cosines of several angles: the bits of [`sin_cos`](Real::sin_cos), in less time where the
     /// type can have them side by side.
-    #[inline]
+    #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sines, mut cosines) = (angles, angles);
         for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
@@ -79,6 +79,7 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
 }
 
 impl Real for f64 {
+    #[inline(always)]
     fn lit(x: f64) -> Self {
         x
     }
@@ -90,7 +91,7 @@ impl Real for f64 {
     fn sin_cos(self) -> (Self, Self) {
         sine::sin_cos(self)
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         sine::sin_cos_lanes(angles)
     }
@@ -116,6 +117,7 @@ impl Float for f64 {
 }
 
 impl Real for f32 {
+    #[inline(always)]
     fn lit(x: f64) -> Self {
         x as f32
     }
@@ -128,10 +130,22 @@ impl Real for f32 {
         let (s, c) = sine::sin_cos(f64::from(self));
         (s as f32, c as f32)
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        let (s, c) = sine::sin_cos_lanes(angles.map(f64::from));
-        (s.map(|s| s as f32), c.map(|c| c as f32))
+        // Loops and not `map`, which is not always inlined: here it must be, for the instructions of the caller.
+        let mut wide = [0.0; N];
+        for (wide, angle) in wide.iter_mut().zip(angles) {
+            *wide = f64::from(angle);
+        }
+        let (s, c) = sine::sin_cos_lanes(wide);
+        let (mut sines, mut cosines) = (angles, angles);
+        for (sine, s) in sines.iter_mut().zip(s) {
+            *sine = s as f32;
+        }
+        for (cosine, c) in cosines.iter_mut().zip(c) {
+            *cosine = c as f32;
+        }
+        (sines, cosines)
     }
 }
 

@@ -41,7 +41,7 @@ pub(super) fn sin_cos(x: f64) -> (f64, f64) {
 }
 
 /// Sines and cosines side by side, each with the bits that [`sin_cos`] gives.
-#[inline]
+#[inline(always)]
 pub(super) fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
     let (mut sines, mut cosines) = (angles, angles);
     for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {

@@ -1,5 +1,6 @@
 //! Time: rounds of all ways in turn, so that the machine's moods touch all of them alike.
 
+use crate::Target;
 use crate::data::COUNT;
 use crate::ways::Way;
 use std::fmt::Write;
@@ -8,18 +9,18 @@ use std::time::Instant;
 /// Rounds; of each stretch of elements the median counts.
 pub(crate) const ROUNDS: usize = 25;
 /// Elements of a stretch: so few that it is over before the machine turns to something else.
-const STRETCH: usize = 256;
+pub(crate) const STRETCH: usize = 256;
 
-/// The median time of one element in nanoseconds, for each way: the mean over all stretches.
-pub(crate) fn medians(ways: &mut [Way]) -> Vec<f64> {
-    let stretches = COUNT / STRETCH;
+/// The median time of one element in nanoseconds, for each way: the mean over all stretches of so many elements.
+pub(crate) fn medians(ways: &mut [Way], length: usize) -> Vec<f64> {
+    let stretches = COUNT / length;
     let mut times = vec![vec![[0.0; ROUNDS]; stretches]; ways.len()];
     for round in 0..ROUNDS {
         for stretch in 0..stretches {
             for (way, times) in ways.iter_mut().zip(&mut times) {
                 let start = Instant::now();
-                (way.run)(stretch * STRETCH..(stretch + 1) * STRETCH);
-                times[stretch][round] = start.elapsed().as_secs_f64() * 1e9 / STRETCH as f64;
+                (way.run)(stretch * length..(stretch + 1) * length);
+                times[stretch][round] = start.elapsed().as_secs_f64() * 1e9 / length as f64;
             }
         }
     }
@@ -75,11 +76,11 @@ pub(crate) fn table(ways: &[Way], times: &[f64], counts: Option<&[f64]>) -> Stri
     text
 }
 
-/// How many times faster this library is than a peer.
-pub(crate) fn ratio(ways: &[Way], times: &[f64], group: &str, peer: &str) -> f64 {
+/// How many times faster this library is than a peer; nothing if one of them was not timed on this machine.
+pub(crate) fn ratio(ways: &[Way], times: &[f64], target: &Target) -> Option<f64> {
     let time = |name: &str| {
         let mut all = ways.iter().zip(times);
-        all.find(|(way, _)| way.group == group && way.name == name).map_or(f64::NAN, |(_, time)| *time)
+        all.find(|(way, _)| way.group == target.group && way.name == name).map(|(_, time)| *time)
     };
-    time(peer) / time("this library")
+    Some(time(target.peer)? / time(target.ours)?)
 }

@@ -4,6 +4,7 @@
 //! alone. `-- --report` writes the first part to PERFORMANCE.md and leaves criterion out. `-- --gate` counts instructions
 //! only and fails where a ratio to a peer has sunk: it does not depend on the machine's mood.
 
+mod batches;
 mod clock;
 mod count;
 mod data;
@@ -11,17 +12,33 @@ mod peers;
 mod report;
 mod ways;
 
+use clock::STRETCH;
 use criterion::{Criterion, Throughput};
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// What is asked for: so many times faster than that peer, by the clock.
-pub(crate) const TARGETS: [(&str, &str, f64); 5] = [
-    ("fk", "rs-opw-kinematics", 4.0),
-    ("fk", "nalgebra, isometries", 2.8),
-    ("fk and jacobian", "k", 12.0),
-    ("fk and jacobian", "rs-opw-kinematics", 22.0),
-    ("ik", "rs-opw-kinematics", 8.0),
+/// What is asked for: so many times faster than a peer, by the clock.
+pub(crate) struct Target {
+    pub(crate) group: &'static str,
+    pub(crate) ours: &'static str,
+    pub(crate) peer: &'static str,
+    pub(crate) asked: f64,
+}
+
+const fn target(group: &'static str, ours: &'static str, peer: &'static str, asked: f64) -> Target {
+    Target { group, ours, peer, asked }
+}
+
+pub(crate) const TARGETS: [Target; 9] = [
+    target("fk", "this library", "rs-opw-kinematics", 4.0),
+    target("fk", "this library", "nalgebra, isometries", 2.8),
+    target("fk and jacobian", "this library", "k", 12.0),
+    target("fk and jacobian", "this library", "rs-opw-kinematics", 22.0),
+    target("ik", "this library", "rs-opw-kinematics", 8.0),
+    target("fk, batch", "this library, AVX2", "nalgebra, isometries", 5.0),
+    target("fk, batch", "this library, AVX-512", "nalgebra, isometries", 8.0),
+    target("ik, batch", "this library, AVX2", "rs-opw-kinematics", 20.0),
+    target("ik, batch", "this library, AVX-512", "rs-opw-kinematics", 25.0),
 ];
 
 fn main() -> ExitCode {
@@ -32,12 +49,15 @@ fn main() -> ExitCode {
         ["--gate", ..] => return count::gate(&ways),
         _ => {}
     }
-    let times = clock::medians(&mut ways);
+    let times = clock::medians(&mut ways, STRETCH);
     let counts = count::all(&ways);
     print!("{}", clock::table(&ways, &times, counts.as_deref()));
-    for (group, peer, target) in TARGETS {
-        let ratio = clock::ratio(&ways, &times, group, peer);
-        println!("{group}: {ratio:.2} × {peer}, asked for {target} ×");
+    for target in &TARGETS {
+        let Target { group, ours, peer, asked } = target;
+        match clock::ratio(&ways, &times, target) {
+            Some(ratio) => println!("{group}: {ours} {ratio:.2} × {peer}, asked for {asked} ×"),
+            None => println!("{group}: {ours} not on this machine"),
+        }
     }
     if arguments.iter().any(|argument| argument == "--report") {
         return report::write(&ways, &times, counts.as_deref());

@@ -1,5 +1,6 @@
 //! Everything that is timed, each way over the same configurations.
 
+use crate::batches;
 use crate::data::Data;
 use crate::peers::{self, Chain, Isometries, Matrices, OPW_STEP, Rotations};
 use kin_runtime::prelude::*;
@@ -19,7 +20,7 @@ pub(crate) struct Way {
 }
 
 /// One after the other, none waiting for the one before.
-fn each<I: 'static, O>(
+pub(crate) fn each<I: 'static, O>(
     group: &'static str,
     name: &'static str,
     data: &Rc<Data>,
@@ -61,14 +62,15 @@ pub(crate) fn all() -> Vec<Way> {
     let mut ways = forward(data);
     ways.extend(differential(data));
     ways.extend(inverse(data));
+    ways.extend(batches::all(data));
     ways
 }
 
-fn q(data: &Data) -> &[[f64; 6]] {
+pub(crate) fn q(data: &Data) -> &[[f64; 6]] {
     &data.q
 }
 
-fn joints(data: &Data) -> &[Joints<f64, 6>] {
+pub(crate) fn joints(data: &Data) -> &[Joints<f64, 6>] {
     &data.joints
 }
 

@@ -102,6 +102,22 @@ impl Printer<'_> {
         line!(text, "{}\n}}", self.value(program, gives));
     }
 
+    /// Two methods with one program: one to be called, and one that is inlined wherever it is called, so that it can be
+    /// compiled for other instructions than the rest of the program.
+    pub(super) fn method_and_inlined(&self, text: &mut String, what: &str, program: &Program, gives: Gives) {
+        let (krate, name, result) = (self.krate, &program.name, self.result(gives));
+        let arguments = self.arguments(Given::Joints);
+        line!(text, "/// {what}: {}.", program.cost());
+        line!(
+            text,
+            "fn {name}<T: {krate}::Real>(&self, {arguments}) -> {result} {{ self.{name}_inlined(q) }}"
+        );
+        line!(text, "#[inline(always)]");
+        line!(text, "fn {name}_inlined<T: {krate}::Real>(&self, {arguments}) -> {result} {{");
+        self.steps(text, program, Given::Joints, Turns::Taken);
+        line!(text, "{}\n}}", self.value(program, gives));
+    }
+
     /// The body of a method but for its value.
     pub(super) fn steps(&self, text: &mut String, program: &Program, given: Given, turns: Turns) {
         self.bind_joints(text, program, given, turns);

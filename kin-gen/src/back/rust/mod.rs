@@ -98,12 +98,11 @@ impl Printer<'_> {
         let limits: Vec<String> = self.arm.joints.iter().map(limits).collect();
         line!(text, "{krate}::Limits::new([{}])\n}}", limits.join(", "));
         let programs = &self.arm.forward;
-        let q = Given::Joints;
-        self.method(text, "The pose of the tool", &programs.fk, q, Gives::Pose);
-        self.method(text, "The frame of each joint", &programs.frames, q, Gives::Frames);
-        self.method(text, "The geometric Jacobian", &programs.jacobian, q, Gives::Jacobian);
+        self.method_and_inlined(text, "The pose of the tool", &programs.fk, Gives::Pose);
+        self.method(text, "The frame of each joint", &programs.frames, Given::Joints, Gives::Frames);
+        self.method_and_inlined(text, "The geometric Jacobian", &programs.jacobian, Gives::Jacobian);
         let what = "Pose and Jacobian together";
-        self.method(text, what, &programs.fk_jacobian, q, Gives::PoseAndJacobian);
+        self.method_and_inlined(text, what, &programs.fk_jacobian, Gives::PoseAndJacobian);
         line!(text, "}}");
     }
 
