@@ -4,6 +4,9 @@
 use std::f64::consts::PI;
 
 use kin_runtime::prelude::*;
+use kin_runtime::singularity::{determinant, normalised};
+use kin_runtime::trajectory::{RateLimits, Shared, Trajectory};
+use kin_runtime::watch::{Factor, Factored, Watch};
 use kin_runtime::{Boundary, Constraint, DynOutcome, Singularity};
 use tests::interpreted::Interpreted;
 use tests::mirrored::Mirrored;
@@ -162,6 +165,67 @@ fn declared_arms_give_their_joints_back() {
     come_back(&Folding, 2);
     come_back(&Twisted, 3);
     come_back(&Crane, 4);
+}
+
+/// Their product is the determinant; each is in its range between any two times.
+fn factored<A: Factored<6>>(arm: &A, apart: bool, seed: u64) {
+    let mut random = Sampler::new(seed);
+    for _ in 0..200 {
+        let (from, to) = (random_joints::<A>(&mut random), random_joints::<A>(&mut random));
+        let (factors, det) = (arm.factors(&from), determinant(&normalised(arm, &from)).expect("six joints"));
+        assert!((factors.determinant() - det).abs() < 1e-14, "{}: {factors:?} {det}", A::NAME);
+        assert!(factors.bend.is_some() && factors.shoulder.is_none() && factors.wrist.is_none());
+        assert_eq!((factors.hand.is_some(), factors.elbow.is_some()), (apart, apart));
+        assert!(factors.hand.zip(factors.elbow).is_none_or(|(hand, elbow)| factors.base == hand * elbow));
+        let limits = RateLimits::uniform(random.between(0.5, 3.0), random.between(1.0, 9.0));
+        let trajectory = Trajectory::new(&from, &to, &limits, Shared::Duration).expect("sound");
+        let watch = Watch::new(arm, &trajectory);
+        let width = trajectory.duration() * 10f64.powf(random.between(-4.0, 0.0));
+        let start = random.between(0.0, trajectory.duration() - width);
+        for factor in Factor::ALL {
+            let Some((low, high)) = watch.factor_range(factor, start, start + width) else { continue };
+            for k in 0..=20 {
+                let value = watch.factors(start + width * f64::from(k) / 20.0).get(factor).expect("known");
+                assert!(low - 1e-13 <= value && value <= high + 1e-13, "{} {factor:?} {width}", A::NAME);
+            }
+        }
+    }
+}
+
+#[test]
+fn factors_are_those_of_the_determinant() {
+    factored(&Human::NOMINAL, true, 6);
+    factored(&Folding, true, 7);
+    factored(&Twisted, false, 8);
+    factored(&Crane, true, 9);
+    // Each is what the solver's margins measure in its own terms.
+    let (arm, mut random) = (Human::NOMINAL, Sampler::new(10));
+    for _ in 0..200 {
+        let q = random_joints::<Human>(&mut random);
+        let (factors, solutions) = (arm.factors(&q), arm.ik(&arm.fk(&q)));
+        let solution = solutions.nearest(&q).filter(|s| (s.q - q).amax() < 1e-9).expect("itself");
+        let [hand, elbow, bend] = [factors.hand, factors.elbow, factors.bend].map(Option::unwrap);
+        let (margins, reach) = (solution.margins, arm.reach());
+        assert!((hand.abs() - margins.wrist.unwrap() / reach).abs() < 1e-12);
+        assert!((elbow.abs() - 0.4 * 0.35 / (reach * reach) * margins.elbow.sin()).abs() < 1e-12);
+        assert!((bend.abs() - margins.shoulder.sin()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_shoulder_that_passes_straight_is_found_at_its_time() {
+    let (from, to) = (joints![0.3, -0.4, 0.6, 0.4, 0.5, 0.2], joints![0.3, 0.6, 0.6, 0.4, 0.5, 0.2]);
+    let limits = RateLimits::uniform(0.5, 1.0);
+    let trajectory = Trajectory::new(&from, &to, &limits, Shared::Duration).expect("sound");
+    let watch = Watch::new(&Human::NOMINAL, &trajectory);
+    let all: Vec<_> = watch.factor_crossings(Factor::Bend, 0.0).collect();
+    let [crossing] = all.as_slice() else { panic!("{all:?}") };
+    // 1/2·0.5²/1 rad on the ramp of 0.5 s, and 0.275 rad at 0.5 rad/s.
+    assert!(f64::abs(crossing.time - 1.05) < 1e-9 && f64::abs(crossing.q[1]) < 1e-9, "{crossing:?}");
+    let spells: Vec<_> = watch.factor_spells(Factor::Bend, 0.1).map(|spell| spell.to_string()).collect();
+    let words = "SINGULARITY: from t = 0.850 s to t = 1.250 s the shoulder is nearly straight";
+    assert!(matches!(spells.as_slice(), [spell] if spell.starts_with(words)), "{spells:?}");
+    assert!(watch.factor_crossings(Factor::Wrist, 0.0).next().is_none(), "it has no wrist");
 }
 
 #[test]

@@ -132,10 +132,12 @@ impl fmt::Display for Subject {
             Subject::Measure(Measure::Margin) => "the smallest singular value",
             Subject::Measure(Measure::Manipulability) => "the manipulability",
             Subject::Measure(Measure::Determinant) => "det J",
-            Subject::Factor(Factor::Base) => "the factor of the first three joints",
+            Subject::Factor(Factor::Base) => "the factor of the three carrying joints",
             Subject::Factor(Factor::Shoulder) => "the shoulder factor",
             Subject::Factor(Factor::Elbow) => "the elbow factor",
             Subject::Factor(Factor::Wrist) => "the wrist factor",
+            Subject::Factor(Factor::Hand) => "the hand factor",
+            Subject::Factor(Factor::Bend) => "the factor of the shoulder's bend",
         })
     }
 }
@@ -146,12 +148,16 @@ impl Subject {
         match self {
             Subject::Measure(_) => "the arm is near a pose in which it loses a direction of motion",
             Subject::Factor(Factor::Base) => {
-                "the first three joints hardly move the wrist centre in one direction"
+                "the three joints that carry the wrist centre, the shoulder's or the tool hardly move it in one direction"
             }
             Subject::Factor(Factor::Shoulder) => "the wrist centre is near axis 1, where both shoulders meet",
             Subject::Factor(Factor::Elbow) => "the elbow is nearly stretched or folded",
             Subject::Factor(Factor::Wrist) => {
                 "the wrist is nearly straight: the outer two of its axes almost coincide"
+            }
+            Subject::Factor(Factor::Hand) => "the shoulder's centre is near axis 6, where both hands meet",
+            Subject::Factor(Factor::Bend) => {
+                "the shoulder is nearly straight: the outer two of its axes almost coincide"
             }
         }
     }
