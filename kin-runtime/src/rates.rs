@@ -28,7 +28,7 @@ use crate::arm::{Arm, JointKind};
 use crate::dual::{self, Dual};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian, Joints};
-use crate::singularity::{Direction, decomposed, in_reaches, length, linear, product};
+use crate::singularity::{Direction, directions, in_reaches, length, linear, product};
 use core::fmt;
 use nalgebra::{SVector, Vector3};
 
@@ -217,14 +217,7 @@ fn solved<T: Float, const N: usize, A: Arm<N>>(
         return Err(RateError::NotFinite);
     }
     let zero = T::lit(0.0);
-    let mut unit = [[zero; N]; N];
-    for (index, column) in unit.iter_mut().enumerate() {
-        if let Some(one) = column.get_mut(index) {
-            *one = T::lit(1.0);
-        }
-    }
-    let mut directions = decomposed(jacobian, unit);
-    falling(&mut directions);
+    let directions = directions(jacobian);
     let counted = directions.get(..rows.min(N)).unwrap_or(&[]);
     let margin = counted.last().map_or(zero, |direction| length(&direction.column));
     let most = counted.iter().fold(zero, |most, d| math::max(damping.squared(length(&d.column)), most));
@@ -286,22 +279,6 @@ fn left<T: Float, const N: usize>(
         *rest -= reached;
     }
     pose::column(rest)
-}
-
-/// Bubble sort by length, largest first: the list is short, and no index can fail.
-fn falling<T: Float, const N: usize>(directions: &mut [Direction<T, N>; N]) {
-    for _ in 0..N {
-        let mut rest: &mut [Direction<T, N>] = directions;
-        while let [a, b, ..] = rest {
-            if length(&a.column) < length(&b.column) {
-                core::mem::swap(a, b);
-            }
-            match rest.split_first_mut() {
-                Some((_, others)) => rest = others,
-                None => break,
-            }
-        }
-    }
 }
 
 impl<T: Float> fmt::Display for RateError<T> {

@@ -146,7 +146,7 @@ pub fn scaled<T: Real, const N: usize>(jacobian: &Jacobian<T, N>, length: T) -> 
 /// singular values, small ones to high relative accuracy.
 pub fn singular_values<T: Float, const N: usize>(jacobian: &Jacobian<T, N>) -> Joints<T, N> {
     let mut values = decomposed(jacobian, [[]; N]).map(|direction| length(&direction.column));
-    sort_falling(&mut values);
+    sort_falling(&mut values, |value| *value);
     pose::column(values)
 }
 
@@ -157,8 +157,21 @@ pub(crate) struct Direction<T, const M: usize> {
     pub(crate) turn: [T; M],
 }
 
+/// The directions of a Jacobian with all of v, the largest first.
+pub(crate) fn directions<T: Float, const N: usize>(jacobian: &Jacobian<T, N>) -> [Direction<T, N>; N] {
+    let mut unit = [[T::lit(0.0); N]; N];
+    for (index, column) in unit.iter_mut().enumerate() {
+        if let Some(one) = column.get_mut(index) {
+            *one = T::lit(1.0);
+        }
+    }
+    let mut sized = decomposed(jacobian, unit).map(|direction| (length(&direction.column), direction));
+    sort_falling(&mut sized, |(size, _)| *size);
+    sized.map(|(_, direction)| direction)
+}
+
 /// The directions of a Jacobian, in no order; `turns` is the unit matrix if v is wanted, else nothing.
-pub(crate) fn decomposed<T: Float, const N: usize, const M: usize>(
+fn decomposed<T: Float, const N: usize, const M: usize>(
     jacobian: &Jacobian<T, N>,
     turns: [[T; M]; N],
 ) -> [Direction<T, M>; N] {
@@ -215,12 +228,12 @@ pub(crate) fn length<T: Float>(column: &[T; 6]) -> T {
 }
 
 /// Bubble sort, largest first: the list is short, and no index can fail.
-fn sort_falling<T: Float, const N: usize>(values: &mut [T; N]) {
-    for _ in 0..N {
-        let mut rest: &mut [T] = values;
+fn sort_falling<X, T: Float>(items: &mut [X], size: impl Fn(&X) -> T) {
+    for _ in 0..items.len() {
+        let mut rest: &mut [X] = items;
         while let [a, b, ..] = rest {
-            if *a < *b {
-                (*a, *b) = (*b, *a);
+            if size(a) < size(b) {
+                core::mem::swap(a, b);
             }
             match rest.split_first_mut() {
                 Some((_, others)) => rest = others,

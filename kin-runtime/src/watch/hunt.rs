@@ -6,7 +6,7 @@
 
 use crate::math::{self, Float};
 
-/// A value, and how far from it any other of an interval can be.
+/// A value, and how far from it any other of an interval can be, towards the threshold at least.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Range<T> {
     pub(super) value: T,

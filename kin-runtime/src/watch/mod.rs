@@ -2,10 +2,9 @@
 //!
 //! * [`Watch::readings`]: the figures at a steady rate: det J, singular values, manipulability.
 //! * [`Watch::crossings`]: the times at which a figure passes a threshold, between the samples too. Over every
-//!   interval a [range](Watch::range) is known in which the figure stays, from its slope in the middle and a bound on its
-//!   curvature, and intervals are halved until the threshold is outside of it: none is passed over. The search is bounded,
-//!   so that a figure which stays beside its threshold for long comes back as a bracket as wide as the doubt, or as one that
-//!   touches. The smallest singular value, whose range has no second order, is such a figure in 2 of 1000 crossings.
+//!   interval it is known how far the figure can be from its value in the middle, from its slope there and a bound of second
+//!   order, and intervals are halved until the threshold is out of reach: none is passed over.
+//! * [`Watch::factor_crossings`]: the same of the factors of the determinant, one for each kind of singular pose.
 //! * [`Watch::spells`]: the times during which a figure is below a threshold, with the least value; as text, a warning.
 //!
 //! ```
@@ -26,10 +25,20 @@
 //! ```
 //!
 //! Everything is normalised as in [`crate::singularity`]: linear rows divided by the arm's reach.
+//!
+//! # What holds
+//!
+//! Round-off of a figure is 64 ε, or 64 ε of the threshold if that is larger than 1. Between the brackets that come back a figure is on
+//! one side of its threshold all the time, and where it goes beyond by more than round-off it comes back as two crossings, each by
+//! itself. A bracket is 2^-34 of the duration wide, or as wide as the figure takes to pass through round-off: 10^-7 of the
+//! duration or so where it only just reaches the threshold. What is no farther beyond than round-off may come back as
+//! [`Passage::Touches`], or not at all. The time that all this takes is bounded: where a figure stays within round-off of a
+//! threshold for long, the search grows coarser and one bracket that touches is as wide as the doubt.
 
 mod bounds;
 mod factors;
 mod hunt;
+mod moving;
 mod spell;
 
 pub use factors::{Factor, Factored, Factors};
@@ -37,14 +46,15 @@ pub use hunt::Passage;
 pub use spell::{Spell, Subject};
 
 use crate::arm::Arm;
-use crate::dual::{self, Dual};
+use crate::dual;
 use crate::math::{self, Float};
-use crate::pose::{self, Jacobian, Joints};
+use crate::pose::{Jacobian, Joints};
 use crate::singularity::{self, Dexterity};
 use crate::trajectory::{State, Ticks, Trajectory, TrajectoryError};
 use bounds::Bounds;
 use core::fmt;
 use hunt::{Hunt, Range, refined};
+use moving::Moving;
 use spell::Spells;
 
 /// Round-off of a figure of the normalised Jacobian, in units of ε; differences below are no differences.
@@ -170,61 +180,43 @@ impl<'a, T: Float, A: Arm<N>, const N: usize> Watch<'a, A, T, N> {
     }
 
     /// A figure at a time, and how far its values can be from that in the half width around it.
-    ///
-    /// A perturbation E of the Jacobian moves each singular value by ‖E‖ at most (H. Weyl 1912). It moves the determinant by
-    /// tr(adj J·E), of which the part that is not along J̇ is at most s·‖E′‖ with the sum s of the products of all singular values
-    /// but one, and by ∏(σᵢ + ‖E‖) - ∏σᵢ - s·‖E‖ at most besides (I. Ipsen and R. Rehman, "Perturbation bounds for
-    /// determinants and characteristic polynomials", 2008).
     fn measured(&self, measure: Measure, time: T, half: T) -> Range<T> {
-        let state = self.trajectory.at(time);
-        let moving: Jacobian<Dual<T>, N> =
-            singularity::normalised(self.arm, &dual::moving(&state.q, &state.velocity));
-        let moving = if self.oriented { moving } else { singularity::linear(&moving) };
-        let (off, aside) = self.bounds.matrix(&moving, half);
-        let rows = if self.oriented { 6 } else { 3 };
-        let Dexterity { singular_values, manipulability, margin } =
-            singularity::measured(&values(&moving), rows);
-        if measure == Measure::Margin {
-            return Range { value: margin, spread: off };
-        }
-        let sizes = || pose::entries(&singular_values).into_iter().take(rows);
-        let wider = sizes().fold(T::lit(1.0), |product, value| product * (value + off)) - manipulability;
-        match self.determinant(&moving) {
-            None => Range { value: manipulability, spread: wider },
-            Some(moving) => {
-                let rest = sizes().fold((T::lit(0.0), T::lit(1.0)), |(sum, product), value| {
-                    (sum * value + product, product * value)
-                });
-                let (minors, _) = rest;
-                let spread = math::abs(moving.rate) * half + minors * aside + (wider - minors * off);
-                let value =
-                    if measure == Measure::Determinant { moving.value } else { math::abs(moving.value) };
-                Range { value, spread: math::min(spread, wider) }
-            }
+        let moving = self.moving(time, half);
+        match measure {
+            Measure::Margin => moving.margin(),
+            Measure::Manipulability => moving.determinant().map_or_else(|| moving.manipulability(), positive),
+            Measure::Determinant => moving.determinant().unwrap_or_else(|| moving.manipulability()),
         }
     }
 
-    /// The determinant of a square matrix, and its rate where elimination finds one.
-    fn determinant(&self, moving: &Jacobian<Dual<T>, N>) -> Option<Dual<T>> {
-        let columns = moving.data.0.as_slice();
-        let value = |entry: Dual<T>| entry.value;
-        if self.oriented {
-            singularity::eliminated::<_, T, 6>(columns.try_into().ok()?, 6, value)
+    /// The same, for the question on which side of a threshold it stays.
+    fn about(&self, measure: Measure, threshold: T, time: T, half: T) -> Range<T> {
+        if measure == Measure::Margin {
+            self.moving(time, half).margin_about(threshold, noise(threshold))
         } else {
-            singularity::eliminated::<_, T, 3>(columns.try_into().ok()?, 3, value)
+            self.measured(measure, time, half)
         }
+    }
+
+    /// The Jacobian in the middle of an interval.
+    fn moving(&self, time: T, half: T) -> Moving<T, N> {
+        let state = self.trajectory.at(time);
+        let whole = singularity::normalised(self.arm, &dual::moving(&state.q, &state.velocity));
+        let (jacobian, rows) = if self.oriented { (whole, 6) } else { (singularity::linear(&whole), 3) };
+        let (off, aside) = self.bounds.matrix(&jacobian, half);
+        Moving { jacobian, rows, half, off, aside }
     }
 
     /// Every time at which a figure passes a threshold, in order.
     pub fn crossings(&self, measure: Measure, threshold: T) -> impl Iterator<Item = Crossing<T, N>> + Clone {
         self.passing(Subject::Measure(measure), threshold, move |time, half| {
-            self.measured(measure, time, half)
+            self.about(measure, threshold, time, half)
         })
     }
 
     /// The times during which a figure, its sign aside, is below a threshold, in order.
     pub fn spells(&self, measure: Measure, threshold: T) -> impl Iterator<Item = Spell<T>> + Clone {
-        let size = move |time, half| positive(self.measured(measure, time, half));
+        let size = move |time, half| positive(self.about(measure, threshold, time, half));
         Spells::new(Subject::Measure(measure), self.trajectory.duration(), threshold, size)
     }
 
@@ -306,11 +298,6 @@ fn middle<T: Float>(from: T, to: T) -> T {
 
 fn half<T: Float>(from: T, to: T) -> T {
     math::abs(to - from) * T::lit(0.5)
-}
-
-/// A moving matrix as it stands.
-fn values<T: Float, const N: usize>(moving: &Jacobian<Dual<T>, N>) -> Jacobian<T, N> {
-    crate::private::jacobian(moving.data.0.map(|column| column.map(|entry| entry.value)))
 }
 
 impl<T: Float, const N: usize> fmt::Display for Crossing<T, N> {

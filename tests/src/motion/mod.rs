@@ -3,6 +3,7 @@
 //! A try is a function of the seed and its number, so that a worst case can be made again.
 
 pub mod passing;
+pub mod sides;
 pub mod timing;
 
 /// The largest figure seen, and the try in which it was.
