@@ -3,7 +3,7 @@
 #
 #     tests/no-std/contract.sh [link|figures]
 #
-# `link` (what CI runs) builds each task of contract/src/tasks.rs for thumbv7em-none-eabihf with opt-level 3 and "s", in
+# `link` (what CI runs) builds each task of contract/src for thumbv7em-none-eabihf with opt-level 3 and "s", in
 # double and in single precision, with a panic handler that calls a function which nobody defines; and one program that
 # can panic, which must not link. `figures` also runs them in qemu-system-arm, on a Cortex-M4 and, for doubles in hardware,
 # on a Cortex-M7, and writes contract.md, which RELIABILITY.md quotes.
@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 out=${CARGO_TARGET_DIR:-target}/no-std
 target=thumbv7em-none-eabihf
-tasks=(forward elbow slide oblique general position choice track)
+tasks=(forward elbow slide oblique general position choice track ball short trajectory watch velocity)
 # A feature by itself is no argument: the number format, or nothing.
 declare -A format=([f64]="" [f32]="--features single")
 declare -A profile=([3]=release [s]=small)

@@ -227,9 +227,19 @@ included; stack is what loses its paint; instructions are counted by qemu, to 40
 - forward: `fk`, `frames`, `jacobian` and `fk_jacobian` of the Puma 560, all four.
 - elbow, slide, oblique, general: `ik` of the IRB 2400, of the Stanford arm, of an arm with an oblique wrist, and of an arm with
   three skew axes and one with two slides.
-- position: `ik_position`, `ik_position_near_within` and `position_dexterity` of a three-joint arm, all three.
-- choice: `ik_holding`, then `nearest`, `within`, `nearest_winding`, `ik_near_within`, `dexterity`, up to 64 `windings`, and of a
+- position: `ik_position`, `ik_position_near_within`, `closest_point` and `position_dexterity` of a three-joint arm, all four.
+- choice: `ik_holding`, then `nearest`, `within`, `nearest_winding`, `ik_near_within`, `closest`, `dexterity`, up to 64 `windings`, and of a
   family the constraint, the nearest member and the ranges of members within limits.
-- track: four steps, looking four poses ahead, on paths that may be singular throughout.
+- track: four steps, looking four poses ahead, on paths that may be singular throughout, with the solutions of each pose counted.
+- ball: `ik` of an arm whose first three axes meet. short: `ik` and `ik_near` of the Cobra 600 and the Orion 5, `ik_position` of two
+  joints.
+- trajectory: a trajectory of six joints, the same in a given time, a route through three stops, a line and an arc of the tool; all of
+  their properties, and up to eight samples of each.
+- watch: every figure and every factor of arms of three, six and seven joints; what is run is the Puma's: two readings, and of the
+  smallest singular value and of one factor a range, a search for crossings and one for spells, with a threshold so far away
+  that one range decides.
+- velocity: `rates`, `position_rates`, `twist`, `torques`, `jacobian_rate`, `acceleration`; determinants and singular values.
+
+What is left out is text: the formatting of numbers in `core` has paths to a panic of its own.
 
 ";

@@ -6,6 +6,7 @@
 
 #![no_std]
 
+pub mod motion;
 pub mod tasks;
 
 #[allow(dead_code, reason = "the hash is for other programs")]

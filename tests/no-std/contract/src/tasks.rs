@@ -4,9 +4,10 @@ use core::hint::black_box;
 
 use kin_runtime::prelude::*;
 use kin_runtime::{dexterity, position_dexterity};
-use robots::{Irb2400, LabArm, LabRrr, Puma560, Stanford};
+use robots::{Cobra600, Irb2400, LabArm, LabRrr, Orion5, Puma560, Stanford, TwoLink};
 
 use crate::bits::Random;
+use crate::motion;
 
 /// The number format of this build.
 #[cfg(not(feature = "single"))]
@@ -57,14 +58,28 @@ dh! {
     | J6    | q     |  0.1 | 0    |   0   |           |
 }
 
+dh! {
+    /// A shoulder whose three axes meet, an elbow, and a hand of two axes.
+    pub struct Ball(standard, m, deg);
+
+    | joint | theta  | d    | a    | alpha |
+    |-------|--------|------|------|-------|
+    | J1    | q      | 0.3  | 0    | -90   |
+    | J2    | q      | 0    | 0    | 90    |
+    | J3    | q + 90 | 0.4  | 0    | -90   |
+    | J4    | q      | 0    | 0.35 | 0     |
+    | J5    | q      | 0.03 | 0    | 90    |
+    | J6    | q      | 0.08 | 0    | 0     |
+}
+
 /// Called with the step that is to be measured.
-pub type Measure<'a> = &'a mut dyn FnMut(&mut dyn FnMut());
+pub type Run<'a> = &'a mut dyn FnMut(&mut dyn FnMut());
 
 /// A task: prepares inputs and hands the step itself to be measured.
-pub type Task = fn(&mut Inputs, Measure<'_>);
+pub type Task = fn(&mut Inputs, Run<'_>);
 
 /// All tasks, as the programs of `bin` are named.
-pub const ALL: [(&str, Task); 8] = [
+pub const ALL: [(&str, Task); 13] = [
     ("forward", forward),
     ("elbow", elbow),
     ("slide", slide),
@@ -73,6 +88,11 @@ pub const ALL: [(&str, Task); 8] = [
     ("position", position),
     ("choice", choice),
     ("track", track),
+    ("ball", ball),
+    ("short", short),
+    ("trajectory", motion::trajectory),
+    ("watch", motion::watch),
+    ("velocity", motion::velocity),
 ];
 
 /// Where inputs come from.
@@ -84,14 +104,15 @@ impl Inputs {
         Inputs(Random(black_box(1)))
     }
 
-    fn joints<const N: usize>(&mut self) -> Joints<Number, N> {
+    /// Joint values, one in two at or near a singular pose.
+    pub fn joints<const N: usize>(&mut self) -> Joints<Number, N> {
         let [values] = self.0.joints::<N>().data.0;
         kin_runtime::private::joints(values.map(<Number as Real>::lit))
     }
 }
 
 /// `fk`, `frames`, `jacobian` and `fk_jacobian` of the Puma.
-pub fn forward(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn forward(inputs: &mut Inputs, measure: Run<'_>) {
     let q = inputs.joints::<6>();
     measure(&mut || {
         let q = black_box(&q);
@@ -99,7 +120,7 @@ pub fn forward(inputs: &mut Inputs, measure: Measure<'_>) {
     });
 }
 
-fn inverse(arm: &impl InverseKinematics<6>, inputs: &mut Inputs, measure: Measure<'_>) {
+fn inverse(arm: &impl InverseKinematics<6>, inputs: &mut Inputs, measure: Run<'_>) {
     let q = inputs.joints::<6>();
     let pose = arm.fk(&q);
     measure(&mut || {
@@ -108,28 +129,45 @@ fn inverse(arm: &impl InverseKinematics<6>, inputs: &mut Inputs, measure: Measur
 }
 
 /// `ik` over a shoulder and an elbow.
-pub fn elbow(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn elbow(inputs: &mut Inputs, measure: Run<'_>) {
     inverse(&Irb2400, inputs, measure);
 }
 
 /// `ik` over a shoulder and a slide.
-pub fn slide(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn slide(inputs: &mut Inputs, measure: Run<'_>) {
     inverse(&Stanford, inputs, measure);
 }
 
 /// `ik` with an oblique wrist.
-pub fn oblique(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn oblique(inputs: &mut Inputs, measure: Run<'_>) {
     inverse(&Oblique, inputs, measure);
 }
 
+/// `ik` of an arm whose first three axes meet.
+pub fn ball(inputs: &mut Inputs, measure: Run<'_>) {
+    inverse(&Ball, inputs, measure);
+}
+
+/// `ik` and `ik_near` of an arm with a quill and of one with three parallel axes, `ik_position` of two joints.
+pub fn short(inputs: &mut Inputs, measure: Run<'_>) {
+    let (q, near, pair) = (inputs.joints::<4>(), inputs.joints::<4>(), inputs.joints::<2>());
+    let (scara, waist) = (Cobra600.fk(&q), Orion5.fk(&q));
+    let point = Point3 { coords: TwoLink.fk(&pair).translation.vector };
+    measure(&mut || {
+        let (scara, waist, near) = (black_box(&scara), black_box(&waist), black_box(&near));
+        let _ = black_box((&Cobra600.ik(scara), &Orion5.ik(waist), &TwoLink.ik_position(black_box(&point))));
+        let _ = black_box((Cobra600.ik_near(scara, near), Orion5.ik_near(waist, near)));
+    });
+}
+
 /// `ik` over three skew axes, and over two slides.
-pub fn general(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn general(inputs: &mut Inputs, measure: Run<'_>) {
     inverse(&Skew, inputs, measure);
     inverse(&Slides, inputs, measure);
 }
 
 /// `ik_position` and its choice.
-pub fn position(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn position(inputs: &mut Inputs, measure: Run<'_>) {
     let (q, near) = (inputs.joints::<3>(), inputs.joints::<3>());
     let point = Point3 { coords: LabRrr.fk(&q).translation.vector };
     let limits = LabRrr.limits();
@@ -145,7 +183,7 @@ pub fn position(inputs: &mut Inputs, measure: Measure<'_>) {
 }
 
 /// Everything that is asked of solutions: limits, windings, members of families, the nearest; and singular values.
-pub fn choice(inputs: &mut Inputs, measure: Measure<'_>) {
+pub fn choice(inputs: &mut Inputs, measure: Run<'_>) {
     let (q, near) = (inputs.joints::<6>(), inputs.joints::<6>());
     let (pose, limits) = (LabArm.fk(&q), LabArm.limits());
     measure(&mut || {
@@ -173,14 +211,16 @@ pub fn choice(inputs: &mut Inputs, measure: Measure<'_>) {
     });
 }
 
-/// Four poses of a path, a step for each.
-pub fn track(inputs: &mut Inputs, measure: Measure<'_>) {
+/// Four poses of a path, a step for each, and how many solutions there are.
+pub fn track(inputs: &mut Inputs, measure: Run<'_>) {
     let (start, way) = (inputs.joints::<6>(), inputs.joints::<6>());
     let pose = |step: u8| LabArm.fk(&(start + way * <Number as Real>::lit(1e-2 * f64::from(step))));
     let path = [pose(0), pose(1), pose(2), pose(3)];
     measure(&mut || {
         let path = black_box(&path);
-        for step in LabArm.track(black_box(&start), path.iter().copied()).ahead(4).within(&LabArm.limits()) {
+        for step in
+            LabArm.track(black_box(&start), path.iter().copied()).ahead(4).within(&LabArm.limits()).counted()
+        {
             black_box(&step);
         }
     });

@@ -5,6 +5,6 @@
 
 contract::no_panic!(out_of_bounds);
 
-fn out_of_bounds(_: &mut contract::tasks::Inputs, _: contract::tasks::Measure<'_>) {
+fn out_of_bounds(_: &mut contract::tasks::Inputs, _: contract::tasks::Run<'_>) {
     core::hint::black_box([1, 2, 3][core::hint::black_box(2)]);
 }
