@@ -12,6 +12,17 @@ use crate::pose::{self, Jacobian, Joints, Pose};
 use crate::solutions::{ArmPosture, Branch, Elbow, Shoulder};
 use nalgebra::{ArrayStorage, Matrix3, Point3, SMatrix};
 
+/// What the solver knows of an angle of forward kinematics before it is taken.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Known {
+    /// It is the angle of `wrist_turns` with this number.
+    Wrist(usize),
+    /// The first three joints alone make it: it is the same for both bends of the wrist.
+    Base,
+    /// Nothing.
+    Nothing,
+}
+
 /// What the solver of six-joint arms asks of an arm: its constants, and the ways into and out of its figures.
 ///
 /// Row values are what the table's rows see: q itself unless `couple:` ties joints together.
@@ -27,10 +38,14 @@ pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
     /// The row values of commanded values: the inverse of `command`.
     fn rows<T: Real>(&self, q: [T; N]) -> [T; N];
 
+    /// Whether commanded values are others than row values.
+    const COUPLED: bool = true;
     /// How many angles [`wrist_rotation`](SolveWrist::wrist_rotation) takes the sines and cosines of.
     const WRIST_TURNS: usize = 0;
     /// How many forward kinematics does.
     const FK_TURNS: usize = 0;
+    /// What is already known of the turns of forward kinematics once the wrist is solved.
+    const FK_KNOWN: [Known; 8] = [Known::Nothing; 8];
     /// For an orthogonal wrist, where the methods below are its own: from its figure angles to row values.
     fn orthogonal_wrist<T: Float>(&self) -> Option<Rows<T>> {
         None
@@ -42,7 +57,7 @@ pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
     }
     /// `wrist_rotation`, once their sines and cosines are known.
     #[inline(always)]
-    fn wrist_turned<T: Real>(&self, rows: [T; 3], pose: &Pose<T>, _: [T; 8], _: [T; 8]) -> Matrix3<T> {
+    fn wrist_turned<T: Real>(&self, rows: [T; 3], pose: &Pose<T>, _: &[T; 8], _: &[T; 8]) -> Matrix3<T> {
         self.wrist_rotation(rows, pose)
     }
     /// Rz(a)·Ry(b)·Rz(c) of the figure angles, by rows, from the rotation between frames 3 and 6.
@@ -57,7 +72,7 @@ pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
     }
     /// Forward kinematics, once their sines and cosines are known.
     #[inline(always)]
-    fn fk_turned<T: Real>(&self, q: &Joints<T, N>, _: [T; 8], _: [T; 8]) -> Pose<T> {
+    fn fk_turned<T: Real>(&self, q: &Joints<T, N>, _: &[T; 8], _: &[T; 8]) -> Pose<T> {
         self.fk(q)
     }
 }

@@ -16,7 +16,7 @@
 
 use crate::geometry::{Chord, Span, circle_meets_circle, circle_meets_plane, turn};
 use crate::ik::ROUND_OFF;
-use crate::ik::elbow::{self, Seen};
+use crate::ik::elbow;
 use crate::ik::general::GeneralBase;
 use crate::ik::wrist::{figure_angle, row_length, row_value};
 use crate::math::{self, Float};
@@ -179,26 +179,34 @@ impl<T: Float> Planar<'_, T> {
     fn place(&self, p: [T; 3], size: T, hold: [Option<T>; 2]) -> Placements<T> {
         let (stand, window) = (self.stand(), T::lit(ROUND_OFF) * T::EPS * size);
         let sight = stand.sight(p, window);
-        let carefully = |side| match stand.plane(p, &sight, side, hold) {
-            Ok(plane) => self
-                .elbows(&stand, &sight, &plane, side, window, hold)
-                .map_or_else(|reason| [Err(reason); 2], |placed| placed.map(Ok)),
-            Err(reason) => [Err(reason); 2],
-        };
         let [right, left] = match (self, sight.chord) {
             (Planar::Elbow(base), Chord::Cut(half)) if half > window => {
-                let Sight { azimuth, across, v, .. } = sight;
-                elbow::both_shoulders(base, &Seen { azimuth, across, half, v }, window)
+                elbow::both_shoulders(base, p, window)
             }
             _ => [None; 2],
         };
         let side = |regular: Option<[Placed<T>; 2]>, side| match regular {
             Some(placed) => placed.map(Ok),
-            None => carefully(side),
+            None => self.carefully(&stand, &sight, p, side, window, hold),
         };
         let ([right_up, right_down], [left_up, left_down]) =
             (side(right, Shoulder::Right), side(left, Shoulder::Left));
         [right_up, right_down, left_up, left_down]
+    }
+
+    /// One shoulder, up and down: what becomes of it, whether or not its figures touch.
+    fn carefully(
+        &self,
+        stand: &Stand<T>,
+        sight: &Sight<T>,
+        p: [T; 3],
+        side: Shoulder,
+        window: T,
+        hold: [Option<T>; 2],
+    ) -> [Result<Placed<T>, Reason<T>>; 2] {
+        let plane = stand.plane(p, sight, side, hold);
+        let placed = plane.and_then(|plane| self.elbows(stand, sight, &plane, side, window, hold));
+        placed.map_or_else(|reason| [Err(reason); 2], |placed| placed.map(Ok))
     }
 
     /// Up and down, once joint 1 is set, or nearly so.
@@ -395,12 +403,12 @@ impl<T: Float> TelescopeBase<T> {
 }
 
 impl<T: Float> Reason<T> {
-    fn beyond(by: T, towards: Boundary) -> Self {
+    pub(super) fn beyond(by: T, towards: Boundary) -> Self {
         Reason::OutOfReach { by, towards, theta1: None }
     }
 
     /// Remembers the value of joint 1 at which a later figure failed.
-    fn at(self, t1: T) -> Self {
+    pub(super) fn at(self, t1: T) -> Self {
         match self {
             Reason::OutOfReach { by, towards, .. } => Reason::OutOfReach { by, towards, theta1: Some(t1) },
             other => other,

@@ -1,160 +1,223 @@
 //! Branches side by side: the four placements of a base as lanes, their wrists, and forward kinematics of what comes out.
 //!
 //! A sine is taken once for all that need it: the wrist's matrix and forward kinematics of both bends turn by the same first
-//! joints, and the bend itself only changes its sign.
+//! joints, the bend itself only changes its sign, and its outer angles go to the other side.
 
 use crate::arm::{Joint, JointKind};
-use crate::ik::base::{Placed, Placements};
+use crate::ik::elbow::{Seen, Side};
 use crate::ik::sliding;
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::{Rows, row_length};
+use crate::ik::{ElbowBase, ROUND_OFF};
 use crate::math::{self, Float, Lanes, Real};
 use crate::pose::{self, Joints, Pose};
-use crate::private::SolveWrist;
-use crate::solutions::{Bend, Branch, Free, Margins, Posture, Slot, Solution, Solutions, tolerance};
-use core::array;
+use crate::private::{Known, SolveWrist};
+use crate::solutions::{
+    Bend, Elbow, Free, Margins, Posture, Reason, Shoulder, Slot, Solution, Solutions, tolerance,
+};
 
-/// A value for each of the four placements.
+/// A value for each of four placements.
 pub(crate) type Four<T> = Lanes<T, 4>;
 
-/// The turns of a program with their sines and cosines.
-struct Turned<T> {
-    angles: [Four<T>; 8],
-    sines: [Four<T>; 8],
-    cosines: [Four<T>; 8],
-    count: usize,
+/// The sines and cosines of a program's turns.
+struct Turned<T, const L: usize> {
+    angles: [Lanes<T, L>; 8],
+    sines: [Lanes<T, L>; 8],
+    cosines: [Lanes<T, L>; 8],
 }
 
-impl<T: Float> Turned<T> {
-    /// No turns.
-    fn none() -> Self {
-        let zeros = [Lanes::splat(T::lit(0.0)); 8];
-        Turned { angles: zeros, sines: zeros, cosines: zeros, count: 0 }
-    }
-
-    /// Takes the sines and cosines of the first `count` of these angles, those that are `known` from there.
+impl<T: Float, const L: usize> Turned<T, L> {
+    /// The sines and cosines of the first `count` angles, those that are `known` from there.
     #[inline(always)]
-    fn take<'a>(
-        &mut self,
-        angles: [Four<T>; 8],
+    fn new(
+        angles: [Lanes<T, L>; 8],
         count: usize,
-        known: impl Fn(usize, &Four<T>) -> Option<Known<'a, T>>,
-    ) where
-        T: 'a,
-    {
-        (self.angles, self.count) = (angles, count);
-        let places = self.sines.iter_mut().zip(&mut self.cosines);
-        for (index, ((sine, cosine), angle)) in places.zip(&angles).enumerate().take(count) {
-            match known(index, angle) {
-                Some(Known { sine: known, cosine: other, negative: false }) => {
-                    (*sine, *cosine) = (*known, *other)
-                }
-                Some(Known { sine: known, cosine: other, negative: true }) => {
-                    (*sine, *cosine) = (-*known, *other)
-                }
-                None => (*sine, *cosine) = Real::sin_cos(*angle),
-            }
-        }
+        known: impl Fn(usize, &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]>,
+    ) -> Self {
+        let [a, b, c, d, e, f, g, h] = &angles;
+        let [a, b, c, d] = [(0, a), (1, b), (2, c), (3, d)];
+        let [e, f, g, h] = [(4, e), (5, f), (6, g), (7, h)];
+        let ([sa, ca], [sb, cb]) = (taken(a, count, &known), taken(b, count, &known));
+        let ([sc, cc], [sd, cd]) = (taken(c, count, &known), taken(d, count, &known));
+        let ([se, ce], [sf, cf]) = (taken(e, count, &known), taken(f, count, &known));
+        let ([sg, cg], [sh, ch]) = (taken(g, count, &known), taken(h, count, &known));
+        Turned { sines: [sa, sb, sc, sd, se, sf, sg, sh], cosines: [ca, cb, cc, cd, ce, cf, cg, ch], angles }
     }
 
-    /// Sine and cosine of an angle that is one of these.
+    /// Sine and cosine of one of these angles.
     #[inline(always)]
-    fn find(&self, angle: &Four<T>) -> Option<Known<'_, T>> {
-        let place = self.angles.iter().take(self.count).position(|known| same(known, angle))?;
-        Some(Known { sine: self.sines.get(place)?, cosine: self.cosines.get(place)?, negative: false })
+    fn of(&self, index: usize) -> Option<[Lanes<T, L>; 2]> {
+        Some([*self.sines.get(index)?, *self.cosines.get(index)?])
     }
 
-    /// Sine and cosine of an angle that is the one with this number, or its opposite.
+    /// Sine and cosine of an angle that is the opposite of one of these, or half a turn from it but for round-off.
     #[inline(always)]
-    fn alike(&self, index: usize, angle: &Four<T>) -> Option<Known<'_, T>> {
-        let known = self.angles.get(index)?;
-        let negative = !same(known, angle);
-        if negative && !opposite(known, angle) {
-            return None;
+    fn across(&self, index: usize, angle: &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]> {
+        let (known, [sine, cosine]) = (self.angles.get(index)?, self.of(index)?);
+        if all(*known, *angle, |a, b| a == -b) {
+            return Some([-sine, cosine]);
         }
-        Some(Known { sine: self.sines.get(index)?, cosine: self.cosines.get(index)?, negative })
+        // What the difference is besides half a turn, exactly but for one rounding of next to nothing.
+        let by = *angle - *known;
+        let back = by - *angle;
+        let lost = (*angle - (by - back)) - (*known + back);
+        let (half, rest) = (math::half_turn::<T>(), T::TURN.1 * T::lit(0.5));
+        let signed = |x: T| by.map(|by| if by > T::lit(0.0) { x } else { -x });
+        let over = ((by - signed(half)) + lost) - signed(rest);
+        let round_off = T::lit(4.0) * T::EPS;
+        all(over, over, |over, _| math::abs(over) <= round_off)
+            .then(|| [-(sine + cosine * over), sine * over - cosine])
     }
 }
 
-/// A sine, or the negative of one, and a cosine.
-struct Known<'a, T> {
-    sine: &'a Four<T>,
-    cosine: &'a Four<T>,
-    negative: bool,
+/// Sine and cosine of one of so many angles, if it is not known from elsewhere.
+#[inline(always)]
+fn taken<T: Float, const L: usize>(
+    (index, angle): (usize, &Lanes<T, L>),
+    count: usize,
+    known: &impl Fn(usize, &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]>,
+) -> [Lanes<T, L>; 2] {
+    if index >= count {
+        return [Lanes::splat(T::lit(0.0)); 2];
+    }
+    if let Some(known) = known(index, angle) {
+        return known;
+    }
+    let (sines, cosines) = T::sin_cos_all(angle.0);
+    [Lanes(sines), Lanes(cosines)]
 }
 
-/// Whether all lanes are equal; where they are not, the first one mostly tells.
-fn same<T: Float>(a: &Four<T>, b: &Four<T>) -> bool {
-    a.0.iter().zip(&b.0).all(|(a, b)| *a == *b)
+/// Those of an angle of the placements: that of the first joint alone comes twice.
+#[inline(always)]
+fn of_placements<T: Float, const L: usize>(angle: &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]> {
+    let [a, b, c, d] = angle.0.as_slice() else { return None };
+    if !((*a == *c) & (*b == *d)) {
+        return None;
+    }
+    let ([s, t], [c, d]) = T::sin_cos_all([*a, *b]);
+    let twice = |x, y| {
+        let mut lanes = *angle;
+        if let [a, b, c, d] = lanes.0.as_mut_slice() {
+            (*a, *b, *c, *d) = (x, y, x, y);
+        }
+        lanes
+    };
+    Some([twice(s, t), twice(c, d)])
 }
 
-/// Whether all lanes are opposite.
-fn opposite<T: Float>(a: &Four<T>, b: &Four<T>) -> bool {
-    a.0.iter().zip(&b.0).all(|(a, b)| *a == -*b)
-}
-
-/// The row values of the four placements, joint by joint. Where there is none stands another, so that all lanes are numbers;
-/// nothing if there is none at all.
-fn rows<T: Float>(placements: &Placements<T>) -> Option<[Four<T>; 3]> {
-    let any = placements.iter().flatten().next()?.rows;
-    let [a, b, c, d] = placements;
-    let rows = |placement: &Result<Placed<T>, _>| placement.as_ref().map_or(any, |placed| placed.rows);
-    let ([a1, a2, a3], [b1, b2, b3], [c1, c2, c3], [d1, d2, d3]) = (rows(a), rows(b), rows(c), rows(d));
-    Some([Lanes([a1, b1, c1, d1]), Lanes([a2, b2, c2, d2]), Lanes([a3, b3, c3, d3])])
-}
-
-/// The matrices that the wrist must produce, by rows, and the turns of the base that they are seen through.
-fn wrist_matrices<T: Float, A: SolveWrist<6>>(
-    arm: &A,
-    pose: &Pose<T>,
-    rows: [Four<T>; 3],
-    turned: &mut Turned<T>,
-) -> [[Four<T>; 3]; 3] {
-    turned.take(arm.wrist_turns(rows), A::WRIST_TURNS, |_, _| None);
-    arm.wrist_matrix(&arm.wrist_turned(rows, &side_by_side(pose), turned.sines, turned.cosines))
+/// Whether something holds in all lanes; without an early return, which is a branch for each lane.
+#[inline(always)]
+fn all<T: Float, const L: usize>(a: Lanes<T, L>, b: Lanes<T, L>, holds: impl Fn(T, T) -> bool) -> bool {
+    let mut all = true;
+    for (a, b) in a.0.into_iter().zip(b.0) {
+        all &= holds(a, b);
+    }
+    all
 }
 
 /// The same pose in every lane.
-fn side_by_side<T: Float>(pose: &Pose<T>) -> Pose<Four<T>> {
-    let (rotation, position) = pose::rows(pose);
-    pose::from_rows(rotation.map(|row| row.map(Lanes::splat)), position.map(Lanes::splat))
+#[inline(always)]
+fn side_by_side<T: Float, const L: usize>(pose: &Pose<T>) -> Pose<Lanes<T, L>> {
+    let ([[a, b, c], [d, e, f], [g, h, i]], [x, y, z]) = pose::rows(pose);
+    let row = |x, y, z| [Lanes::splat(x), Lanes::splat(y), Lanes::splat(z)];
+    pose::from_rows([row(a, b, c), row(d, e, f), row(g, h, i)], row(x, y, z))
 }
 
-/// Joint values of the four placements with one bend, and how far forward kinematics of them misses the pose.
-struct Tried<T> {
-    /// Joint by joint.
-    q: [Four<T>; 6],
-    residual: Four<T>,
+/// Both bends of the wrist over placements side by side.
+struct Bent<T, const L: usize> {
+    /// Joint values, without and with the flip.
+    q: [[Lanes<T, L>; 6]; 2],
+    /// How far forward kinematics of them misses the pose.
+    residual: [Lanes<T, L>; 2],
+    /// The bend's distance from straight.
+    margin: Lanes<T, L>,
 }
 
-impl<T: Float> Tried<T> {
-    /// The joint values that command both sets of row values: without and with the flip.
-    fn both<A: SolveWrist<6>>(
+impl<T: Float, const L: usize> Bent<T, L> {
+    /// Both bends, where none of them is nearer to straight than `far`.
+    #[inline(always)]
+    fn new<A: SolveWrist<6>>(
         arm: &A,
-        target: &Target<T>,
-        [noflip, flip]: [&[Four<T>; 6]; 2],
-        wrist: &Turned<T>,
-    ) -> [Self; 2] {
-        let (mut first, mut second) = (Turned::none(), Turned::none());
+        pose: &Pose<Lanes<T, L>>,
+        scale: Lanes<T, L>,
+        [t1, t2, t3]: [Lanes<T, L>; 3],
+        far: T,
+    ) -> Option<Self> {
+        let offsets = arm.orthogonal_wrist::<T>()?;
+        let wrist =
+            Turned::new(arm.wrist_turns([t1, t2, t3]), A::WRIST_TURNS, |_, angle| of_placements(angle));
+        let matrix = arm.wrist_matrix(&arm.wrist_turned([t1, t2, t3], pose, &wrist.sines, &wrist.cosines));
+        let Angles { noflip: [n4, n5, n6], flip: [f4, f5, f6], margin } = Angles::new(&matrix, &offsets);
+        if !all(margin, margin, |margin, _| margin > far) {
+            return None;
+        }
         let (noflip, flip) =
-            (commanded(&A::JOINTS, arm.command(*noflip)), commanded(&A::JOINTS, arm.command(*flip)));
-        first.take(arm.fk_turns(&pose::column(noflip)), A::FK_TURNS, |_, angle| wrist.find(angle));
-        second.take(arm.fk_turns(&pose::column(flip)), A::FK_TURNS, |index, angle| first.alike(index, angle));
-        [
-            Tried { residual: missed(arm, target, &noflip, &first), q: noflip },
-            Tried { residual: missed(arm, target, &flip, &second), q: flip },
-        ]
+            (joint_values(arm, [t1, t2, t3, n4, n5, n6]), joint_values(arm, [t1, t2, t3, f4, f5, f6]));
+        let first = Turned::new(
+            arm.fk_turns(&noflip),
+            A::FK_TURNS,
+            #[inline(always)]
+            |index, _| {
+                if let Some(Known::Wrist(turn)) = A::FK_KNOWN.get(index) { wrist.of(*turn) } else { None }
+            },
+        );
+        let second = Turned::new(
+            arm.fk_turns(&flip),
+            A::FK_TURNS,
+            #[inline(always)]
+            |index, angle| match A::FK_KNOWN.get(index) {
+                Some(Known::Wrist(_) | Known::Base) => first.of(index),
+                _ => first.across(index, angle),
+            },
+        );
+        let residual = [
+            missed(pose, scale, &arm.fk_turned(&noflip, &first.sines, &first.cosines)),
+            missed(pose, scale, &arm.fk_turned(&flip, &second.sines, &second.cosines)),
+        ];
+        Some(Bent { residual, q: [pose::entries(&noflip), pose::entries(&flip)], margin })
     }
+}
 
-    /// The joint values of one placement, and their residual.
-    fn lane(&self, lane: usize) -> (Joints<T, 6>, T) {
-        (pose::column(self.q.each_ref().map(|value| value.lane(lane))), self.residual.lane(lane))
-    }
+/// The joint values that command row values, angles in (-π, π].
+#[inline(always)]
+fn joint_values<T: Float, const L: usize, A: SolveWrist<6>>(
+    arm: &A,
+    rows: [Lanes<T, L>; 6],
+) -> Joints<Lanes<T, L>, 6> {
+    let q = arm.command(rows);
+    // Row values are in that range already.
+    pose::column(if A::COUPLED { commanded(&A::JOINTS, q) } else { q })
+}
+
+/// How far poses miss others: see [`Target::missed_by`].
+#[inline(always)]
+fn missed<T: Float, const L: usize>(
+    pose: &Pose<Lanes<T, L>>,
+    scale: Lanes<T, L>,
+    other: &Pose<Lanes<T, L>>,
+) -> Lanes<T, L> {
+    let (([x, y, z], p), ([u, v, w], q)) = (pose::rows(pose), pose::rows(other));
+    let ([x, _], [y, _], [z, _], [p, all]) = (far(x, u), far(y, v), far(z, w), far(p, q));
+    // A comparison lets go of what is not a number; a sum does not, and adds nothing to what is one.
+    x.greatest(y).greatest(z).greatest(p / scale) + all * Lanes::splat(T::lit(0.0))
+}
+
+/// The largest difference between two triples, and the sum of all.
+#[inline(always)]
+fn far<T: Float, const L: usize>(
+    [a, b, c]: [Lanes<T, L>; 3],
+    [d, e, f]: [Lanes<T, L>; 3],
+) -> [Lanes<T, L>; 2] {
+    let [a, b, c] = [(a - d).abs(), (b - e).abs(), (c - f).abs()];
+    [a.greatest(b).greatest(c), a + b + c]
 }
 
 /// Commanded values with their angles in (-π, π].
 #[inline(always)]
-pub(crate) fn commanded<T: Float>(joints: &[Joint; 6], mut q: [Four<T>; 6]) -> [Four<T>; 6] {
+pub(crate) fn commanded<T: Float, const L: usize>(
+    joints: &[Joint; 6],
+    mut q: [Lanes<T, L>; 6],
+) -> [Lanes<T, L>; 6] {
     for (value, joint) in q.iter_mut().zip(joints) {
         if joint.kind == JointKind::Revolute {
             *value = value.wrap();
@@ -177,109 +240,111 @@ pub(crate) fn transposed<T>([a, b, c, d]: [[T; 6]; 4]) -> [Four<T>; 6] {
     ]
 }
 
-/// How far forward kinematics of joint values misses the pose.
-#[inline(never)]
-fn missed<T: Float, A: SolveWrist<6>>(
-    arm: &A,
-    target: &Target<T>,
-    q: &[Four<T>; 6],
-    turned: &Turned<T>,
-) -> Four<T> {
-    let reached = arm.fk_turned(&pose::column(*q), turned.sines, turned.cosines);
-    target.missed_by_all(&reached)
-}
-
-/// All solutions of an arm with an orthogonal wrist, if no figure is near a singular one: so far from it that no two
-/// solutions can be one, nothing is free, and nothing is in doubt.
+/// All solutions of an arm with an elbow and an orthogonal wrist, if no figure is near a singular one: so far from it that no
+/// two solutions can be one, nothing is free, and nothing is in doubt.
+#[inline(always)]
 pub(crate) fn regular<T: Float, A: SolveWrist<6>>(
     arm: &A,
     target: &Target<T>,
-    placements: &Placements<T>,
+    base: &ElbowBase<T>,
 ) -> Option<Solutions<T, 6, Posture>> {
-    let offsets = arm.orthogonal_wrist::<T>()?;
-    let far = T::lit(64.0) * tolerance::<T>();
-    let far_away = far * math::max(target.scale, T::lit(1.0));
-    let apart = |placed: &Placed<T>| {
-        (placed.shoulder > far_away) & (placed.elbow > far_away) & !placed.shoulder_free & !placed.elbow_free
+    let (one, far) = (T::lit(1.0), T::lit(64.0) * tolerance::<T>());
+    let far_away = far * math::max(target.scale, one);
+    let centre = arm.wrist_centre(&target.pose);
+    let seen = Seen::new(base, centre.map(|x| Lanes([x; 2])));
+    let [half, _] = seen.half.0;
+    if half <= far_away {
+        return None;
+    }
+    let window = T::lit(ROUND_OFF) * T::EPS * target.scale;
+    let side = Side::new(base, &seen, Lanes([one, -one]), Lanes::splat(window));
+    let ([right, left], [elbow, bow]) = (side.closes, side.elbow.0);
+    let apart = ((elbow > far_away) | !right) & ((bow > far_away) | !left);
+    if !(apart & (right | left)) {
+        return None;
+    }
+    // Where a shoulder does not close stands the other one.
+    let pick = |Lanes([a, b]): Lanes<T, 2>| [if right { a } else { b }, if left { b } else { a }];
+    let four = |up: Lanes<T, 2>, down: Lanes<T, 2>| {
+        let ([a, b], [c, d]) = (pick(up), pick(down));
+        Lanes([a, b, c, d])
     };
-    if !placements.iter().flatten().all(apart) {
+    let [[first, up2, up3], [_, down2, down3]] = side.elbows(base);
+    let rows = [four(first, first), four(up2, down2), four(up3, down3)];
+    let bent = Bent::new(arm, &side_by_side(&target.pose), Lanes::splat(target.scale), rows, far)?;
+    let [noflip, flip] = bent.residual;
+    if !all(noflip, flip, |a, b| accepted(a).is_ok() & accepted(b).is_ok()) {
         return None;
     }
-    let ([t1, t2, t3], mut wrist) = (rows(placements)?, Turned::none());
-    let matrices = wrist_matrices(arm, &target.pose, [t1, t2, t3], &mut wrist);
-    let [[_, _, m13], [_, _, m23], _] = &matrices;
-    if !(*m13 * *m13 + *m23 * *m23).0.iter().all(|square| *square > far * far) {
-        return None;
+    let [t1, t1_left] = first.0;
+    let mut open = [None; 2];
+    if !right {
+        open = [Some(side.open(base, 0, t1, target.scale)?), None];
     }
-    let Bends { noflip: [n4, n5, n6], flip: [f4, f5, f6], margin } = Bends::new(&matrices, &offsets);
-    if !margin.0.iter().all(|margin| *margin > far) {
-        return None;
+    if !left {
+        open = [None, Some(side.open(base, 1, t1_left, target.scale)?)];
     }
-    let rows = [&[t1, t2, t3, n4, n5, n6], &[t1, t2, t3, f4, f5, f6]];
-    let [without, with] = &Tried::both(arm, target, rows, &wrist);
-    Some(Solutions::new(sliding(&A::JOINTS), |branch: Posture| {
-        let lane = branch.arm().index();
-        let placed = match branch.arm().of(placements) {
-            Ok(placed) => placed,
-            Err(reason) => return Slot::Empty(*reason),
-        };
-        let (q, residual) = if branch.wrist == Bend::NoFlip { without.lane(lane) } else { with.lane(lane) };
-        match accepted(residual) {
-            Ok(residual) => {
-                let wrist = Some(margin.lane(lane));
-                let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist };
-                Slot::Solved(Solution { branch, q, residual, margins, free: Free::NOTHING })
+    Some(slots(&A::JOINTS, &bent, half, [elbow, bow], open))
+}
+
+/// The slots of four placements, where `open` does not say why a shoulder is empty.
+#[inline(always)]
+fn slots<T: Float>(
+    joints: &[Joint; 6],
+    bent: &Bent<T, 4>,
+    shoulder: T,
+    elbow: [T; 2],
+    [right, left]: [Option<Reason<T>>; 2],
+) -> Solutions<T, 6, Posture> {
+    let ([noflip, flip], [q, flipped], [elbow, bow]) = (bent.residual, &bent.q, elbow);
+    Solutions::new(
+        sliding(joints),
+        #[inline(always)]
+        |branch: Posture| {
+            let (open, elbow) = if branch.shoulder == Shoulder::Right { (right, elbow) } else { (left, bow) };
+            if let Some(reason) = open {
+                return Slot::Empty(reason);
             }
-            Err(reason) => Slot::Empty(reason),
-        }
-    }))
+            // The lanes are right and left with the elbow up, then with the elbow down.
+            let lane =
+                usize::from(branch.shoulder == Shoulder::Left) + 2 * usize::from(branch.elbow == Elbow::Down);
+            let (q, residual) = if branch.wrist == Bend::NoFlip { (q, noflip) } else { (flipped, flip) };
+            let margins = Margins { shoulder, elbow, wrist: Some(bent.margin.lane(lane)) };
+            let q = pose::column(q.each_ref().map(|value| value.lane(lane)));
+            Slot::Solved(Solution { branch, q, residual: residual.lane(lane), margins, free: Free::NOTHING })
+        },
+    )
 }
 
 /// The row values of an orthogonal wrist, and its bend's distance from straight.
-struct Bends<T> {
-    noflip: [Four<T>; 3],
-    flip: [Four<T>; 3],
-    margin: Four<T>,
+struct Angles<T, const L: usize> {
+    noflip: [Lanes<T, L>; 3],
+    flip: [Lanes<T, L>; 3],
+    margin: Lanes<T, L>,
 }
 
-impl<T: Float> Bends<T> {
+impl<T: Float, const L: usize> Angles<T, L> {
     /// As [`zyz`](crate::ik::wrist), where the third column is not short.
-    #[inline(never)]
-    fn new(matrices: &[[Four<T>; 3]; 3], offsets: &Rows<T>) -> Self {
-        let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = matrices;
-        let zero = T::lit(0.0);
-        let (mut rise, mut run) = ([[zero; 4]; 3], [[zero; 4]; 3]);
-        let ([rise_a, rise_b, rise_c], [run_a, run_b, run_c]) = (&mut rise, &mut run);
-        (*rise_a, *run_a, *run_b) = (m23.0, m13.0, m33.0);
-        let sines = array::from_fn(|lane| {
-            let (x, y) = (m13.lane(lane), m23.lane(lane));
-            math::sqrt(x * x + y * y)
-        });
-        *rise_b = sines;
-        *rise_c = (*m13 * *m21 - *m23 * *m11).0;
-        *run_c = (*m13 * *m22 - *m23 * *m12).0;
-        let [a, b, c] = angles(rise, run);
-        let (half, turn) = (math::half_turn::<T>(), |angle: T| {
-            let back = if angle > T::lit(0.0) { math::half_turn::<T>() } else { -math::half_turn::<T>() };
-            angle - back
-        });
-        let margin = Lanes(b.0.map(|b| math::min(b, half - b)));
-        let noflip = row_values(offsets, [a, b, c]);
-        let flip = row_values(offsets, [Lanes(a.0.map(turn)), -b, Lanes(c.0.map(turn))]);
-        Bends { noflip, flip, margin }
+    #[inline(always)]
+    fn new(matrix: &[[Lanes<T, L>; 3]; 3], offsets: &Rows<T>) -> Self {
+        let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = *matrix;
+        let sine = (m13 * m13 + m23 * m23).sqrt();
+        let a = Lanes::atan2(m23, m13);
+        let b = Lanes::atan2(sine, m33);
+        let c = Lanes::atan2(m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
+        let half = math::half_turn::<T>();
+        let turn = |angle: T| angle - if angle > T::lit(0.0) { half } else { -half };
+        let margin = b.least(Lanes::splat(half) - b);
+        let ([oa, ob, oc], [ra, rb, rc]) = (offsets.offset, offsets.reversed);
+        let row = |figure, offset, reversed| row_length(figure, Lanes::splat(offset), reversed);
+        let [a, b, c, d, e, f] = Lanes::wrap_all([
+            row(a, oa, ra),
+            row(b, ob, rb),
+            row(c, oc, rc),
+            row(a.map(turn), oa, ra),
+            row(-b, ob, rb),
+            row(c.map(turn), oc, rc),
+        ]);
+        Angles { noflip: [a, b, c], flip: [d, e, f], margin }
     }
-}
-
-/// Twelve angles at once.
-fn angles<T: Float>(rise: [[T; 4]; 3], run: [[T; 4]; 3]) -> [Four<T>; 3] {
-    let flat = |[[a, b, c, d], [e, f, g, h], [i, j, k, l]]: [[T; 4]; 3]| [a, b, c, d, e, f, g, h, i, j, k, l];
-    let [a, b, c, d, e, f, g, h, i, j, k, l] = T::atan2_all(flat(rise), flat(run));
-    [Lanes([a, b, c, d]), Lanes([e, f, g, h]), Lanes([i, j, k, l])]
-}
-
-/// The row values of figure angles, in (-π, π].
-fn row_values<T: Float>(offsets: &Rows<T>, [a, b, c]: [Four<T>; 3]) -> [Four<T>; 3] {
-    let ([oa, ob, oc], [ra, rb, rc]) = (offsets.offset, offsets.reversed);
-    let value = |figure, offset, reversed| row_length(figure, Lanes::splat(offset), reversed).wrap();
-    [value(a, oa, ra), value(b, ob, rb), value(c, oc, rc)]
 }

@@ -39,14 +39,13 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
         Ok(target) => target,
         Err(reason) => return Solutions::none(sliding(&A::JOINTS), reason),
     };
-    let [t1, t2, ..] = hold;
-    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
-    // A slide's singular poses cost so much more than side by side that the worst would be far from the median.
-    if matches!(base, Base::Elbow(_))
-        && let Some(solutions) = side::regular(arm, &target, &placements)
+    if let Base::Elbow(base) = &base
+        && let Some(solutions) = side::regular(arm, &target, base)
     {
         return solutions;
     }
+    let [t1, t2, ..] = hold;
+    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
     sphere::solve_placed(&FromBase(arm), target, &placements, hold)
 }
 

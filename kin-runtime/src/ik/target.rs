@@ -20,6 +20,7 @@ impl<T: Float> Target<T> {
     /// # Errors
     /// The reason that every slot is to show: not an arm, not finite, not a rotation, left-handed, or so far away that the numbers
     /// themselves would overflow.
+    #[inline(always)]
     pub fn new(pose: &Pose<T>, base: &Base<T>) -> Result<Self, Reason<T>> {
         if !base.is_finite() {
             return Err(Reason::NotAnArm);
@@ -31,6 +32,7 @@ impl<T: Float> Target<T> {
     ///
     /// # Errors
     /// As [`Target::new`].
+    #[inline(always)]
     pub fn for_reach(pose: &Pose<T>, reach: T) -> Result<Self, Reason<T>> {
         let (rotation, position) = pose::rows(pose);
         let scale = size(&position, reach)?;
@@ -131,7 +133,24 @@ fn known<T: Float>(x: T) -> T {
 
 /// The rotation nearest to a matrix that is one but for rounding of its source: half of the defect 1 - RᵀR is given
 /// back to R, which squares it, until nothing is left.
-pub(crate) fn orthonormal<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
+#[inline(always)]
+pub(crate) fn orthonormal<T: Float>(r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
+    if is_rotation(&r) { Ok(r) } else { mended(r) }
+}
+
+/// Whether a matrix is a rotation to the last bits: nothing that is not a number is.
+#[inline(always)]
+fn is_rotation<T: Float>(r: &[[T; 3]; 3]) -> bool {
+    let [x, y, z] = r;
+    let round_off = T::lit(4.0) * T::EPS;
+    let [a, b, c] = [x, y, z].map(|row| math::abs(T::lit(1.0) - pose::dot(row, row)) <= round_off);
+    let [d, e, f] = [(x, y), (y, z), (z, x)].map(|(a, b)| math::abs(pose::dot(a, b)) <= round_off);
+    (a & b & c) & (d & e & f) & (pose::dot(x, &cross(y, z)) > T::lit(0.0))
+}
+
+/// As [`orthonormal`], for a matrix of any numbers.
+#[cold]
+fn mended<T: Float>(mut r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reason<T>> {
     if r.iter().flatten().any(|x| !math::is_finite(*x)) {
         return Err(Reason::NotFinite);
     }

@@ -31,33 +31,57 @@ pub(super) fn atan2(y: f64, x: f64) -> f64 {
 }
 
 /// Angles side by side, each with the bits that [`atan2`] gives.
-#[inline]
-pub(super) fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
-    let mut angles = y;
-    for (angle, x) in angles.iter_mut().zip(&x) {
-        *angle = usual(*angle, *x);
+#[inline(always)]
+pub(super) fn atan2_each(angles: &mut [f64], x: &[f64]) {
+    let (fours, rest) = angles.as_chunks_mut::<4>();
+    let (four_x, rest_x) = x.as_chunks::<4>();
+    for (angles, x) in fours.iter_mut().zip(four_x) {
+        let ([a, b, c, d], [x, y, z, w]) = (*angles, *x);
+        *angles = four((a, x), (b, y), (c, z), (d, w));
     }
-    // Without `all`, whose early return is a branch for each lane.
-    if !y.iter().zip(&x).fold(true, |usual, (y, x)| usual & is_usual(*y, *x)) {
-        repair(&y, &x, &mut angles);
+    let (twos, rest) = rest.as_chunks_mut::<2>();
+    let (two_x, rest_x) = rest_x.as_chunks::<2>();
+    for (angles, x) in twos.iter_mut().zip(two_x) {
+        let ([a, b], [x, y]) = (*angles, *x);
+        *angles = two((a, x), (b, y));
     }
-    angles
+    for (angle, x) in rest.iter_mut().zip(rest_x) {
+        *angle = atan2(*angle, *x);
+    }
 }
 
-/// Puts right what the usual way cannot know.
-#[cold]
-fn repair(y: &[f64], x: &[f64], angles: &mut [f64]) {
-    for ((y, x), angle) in y.iter().zip(x).zip(angles) {
-        *angle = atan2(*y, *x);
+/// Four angles at once. The coordinates come one by one, because a call has registers for them: numbers that were just
+/// written to memory one at a time cannot be read from there as a vector without waiting.
+#[inline(never)]
+fn four(a: (f64, f64), b: (f64, f64), c: (f64, f64), d: (f64, f64)) -> [f64; 4] {
+    // Without `&&`, which is a branch for each.
+    if (is_usual(a.0, a.1) & is_usual(b.0, b.1)) & (is_usual(c.0, c.1) & is_usual(d.0, d.1)) {
+        [usual(a.0, a.1), usual(b.0, b.1), usual(c.0, c.1), usual(d.0, d.1)]
+    } else {
+        let ([a, b], [c, d]) = (each(a, b), each(c, d));
+        [a, b, c, d]
     }
+}
+
+/// Two angles at once.
+#[inline(never)]
+fn two(a: (f64, f64), b: (f64, f64)) -> [f64; 2] {
+    if is_usual(a.0, a.1) & is_usual(b.0, b.1) { [usual(a.0, a.1), usual(b.0, b.1)] } else { each(a, b) }
+}
+
+/// Two angles, one after the other.
+#[cold]
+#[inline(never)]
+fn each(a: (f64, f64), b: (f64, f64)) -> [f64; 2] {
+    [atan2(a.0, a.1), atan2(b.0, b.1)]
 }
 
 /// Whether the quotient of the coordinates and their sum are numbers.
 #[inline(always)]
 fn is_usual(y: f64, x: f64) -> bool {
-    let (rise, run) = (y.abs(), x.abs());
+    let sum = y.abs() + x.abs();
     // No comparison holds of what is not a number; a sum is zero only where both are.
-    (rise <= LARGE) & (run <= LARGE) & (rise + run > 0.0)
+    (sum <= LARGE) & (sum > 0.0)
 }
 
 /// The angle of infinite, enormous, absent and undefined vectors.
@@ -88,7 +112,7 @@ fn unusual(y: f64, x: f64) -> f64 {
 fn usual(y: f64, x: f64) -> f64 {
     let (rise, run) = (y.abs(), x.abs());
     let steep = rise > run;
-    let least = if steep { run } else { rise };
+    let least = if rise < run { rise } else { run };
     let most = if steep { rise } else { run };
     // In the upper half the eighth of a turn is taken off: tan(φ - π/4) = (a - b)/(a + b), the difference exact.
     let upper = least + least > most;
@@ -97,11 +121,10 @@ fn usual(y: f64, x: f64) -> f64 {
     let t = above / below;
     let bend = t * (t * t) * polynomial(t * t);
     // The octant says how many eighths of a turn there are besides, and whether the angle counts back from them.
-    let eighths = if upper { 1.0 } else { 0.0 };
-    let eighths = if steep { 2.0 - eighths } else { eighths };
-    let back = x.is_sign_negative();
-    let eighths = if back { 4.0 - eighths } else { eighths };
-    let forth = if steep != back { -1.0 } else { 1.0 };
+    let (quarter, turned) = (if steep { 2.0 } else { 0.0 }, 1.0_f64.copysign(x));
+    let (half, forth) = (2.0 - (turned + turned), 1.0 - quarter);
+    let eighths = quarter + forth * if upper { 1.0 } else { 0.0 };
+    let (eighths, forth) = (half + turned * eighths, turned * forth);
     let angle = eighths * FRAC_PI_4 + (forth * t + (eighths * EIGHTH_REST - forth * bend));
     angle.copysign(y)
 }

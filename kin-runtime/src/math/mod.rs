@@ -52,6 +52,11 @@ pub trait Real:
         }
         (sines, cosines)
     }
+    /// The same of angles that stand side by side already, as lanes do: with the caller's instructions.
+    #[inline(always)]
+    fn sin_cos_lanes<const L: usize>(angles: [Self; L]) -> ([Self; L], [Self; L]) {
+        Self::sin_cos_all(angles)
+    }
 }
 
 /// What inverse kinematics needs besides: an order and an arctangent. Implemented for `f32` and `f64`.
@@ -72,6 +77,15 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
         }
         angles
     }
+    /// Replaces each `y` by the angle of the plane vector (x, y), as [`atan2`](Float::atan2); what has no `x` stays.
+    #[inline]
+    fn atan2_each(y: &mut [Self], x: &[Self]) {
+        for (y, x) in y.iter_mut().zip(x) {
+            *y = Float::atan2(*y, *x);
+        }
+    }
+    /// The absolute value: the same number without its sign.
+    fn abs(self) -> Self;
     /// √(x² + y²) without overflow on the way.
     fn hypot(x: Self, y: Self) -> Self;
     /// The largest whole number not above `self`.
@@ -83,7 +97,7 @@ impl Real for f64 {
     fn lit(x: f64) -> Self {
         x
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         libm::sqrt(self)
     }
@@ -93,6 +107,10 @@ impl Real for f64 {
     }
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        sine::sin_cos_all(angles)
+    }
+    #[inline(always)]
+    fn sin_cos_lanes<const L: usize>(angles: [Self; L]) -> ([Self; L], [Self; L]) {
         sine::sin_cos_lanes(angles)
     }
 }
@@ -105,7 +123,17 @@ impl Float for f64 {
     }
     #[inline]
     fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
-        angle::atan2_lanes(y, x)
+        let mut angles = y;
+        angle::atan2_each(&mut angles, &x);
+        angles
+    }
+    #[inline(always)]
+    fn atan2_each(y: &mut [Self], x: &[Self]) {
+        angle::atan2_each(y, x);
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        f64::abs(self)
     }
     #[inline]
     fn hypot(x: Self, y: Self) -> Self {
@@ -132,21 +160,34 @@ impl Real for f32 {
     }
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        // Loops and not `map`, which is not always inlined: here it must be, for the instructions of the caller.
-        let mut wide = [0.0; N];
-        for (wide, angle) in wide.iter_mut().zip(angles) {
-            *wide = f64::from(angle);
-        }
-        let (s, c) = sine::sin_cos_lanes(wide);
-        let (mut sines, mut cosines) = (angles, angles);
-        for (sine, s) in sines.iter_mut().zip(s) {
-            *sine = s as f32;
-        }
-        for (cosine, c) in cosines.iter_mut().zip(c) {
-            *cosine = c as f32;
-        }
-        (sines, cosines)
+        let (sines, cosines) = sine::sin_cos_all(wide(angles));
+        (narrow(sines), narrow(cosines))
     }
+    #[inline(always)]
+    fn sin_cos_lanes<const L: usize>(angles: [Self; L]) -> ([Self; L], [Self; L]) {
+        let (sines, cosines) = sine::sin_cos_lanes(wide(angles));
+        (narrow(sines), narrow(cosines))
+    }
+}
+
+/// In double precision. A loop and not `map`, which is not always inlined: here it must be, for the instructions of the caller.
+#[inline(always)]
+fn wide<const L: usize>(numbers: [f32; L]) -> [f64; L] {
+    let mut wide = [0.0; L];
+    for (wide, number) in wide.iter_mut().zip(numbers) {
+        *wide = f64::from(number);
+    }
+    wide
+}
+
+/// In single precision, rounded.
+#[inline(always)]
+fn narrow<const L: usize>(numbers: [f64; L]) -> [f32; L] {
+    let mut narrow = [0.0; L];
+    for (narrow, number) in narrow.iter_mut().zip(numbers) {
+        *narrow = number as f32;
+    }
+    narrow
 }
 
 impl Float for f32 {
@@ -157,7 +198,13 @@ impl Float for f32 {
     }
     #[inline]
     fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
-        angle::atan2_lanes(y.map(f64::from), x.map(f64::from)).map(|angle| angle as f32)
+        let mut angles = wide(y);
+        angle::atan2_each(&mut angles, &wide(x));
+        narrow(angles)
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        f32::abs(self)
     }
     fn hypot(x: Self, y: Self) -> Self {
         libm::hypotf(x, y)
@@ -168,11 +215,13 @@ impl Float for f32 {
 }
 
 /// The square root, correctly rounded; NaN for negative numbers.
+#[inline(always)]
 pub fn sqrt<T: Real>(x: T) -> T {
     Real::sqrt(x)
 }
 
 /// The square root of a number that is negative by round-off alone: those give 0.
+#[inline(always)]
 pub fn sqrt_or_zero<T: Float>(x: T) -> T {
     if x > T::lit(0.0) { Real::sqrt(x) } else { T::lit(0.0) }
 }
@@ -196,7 +245,9 @@ pub fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
 /// The angles of plane vectors (x, y) side by side, each with the bits that it has alone.
 #[inline]
 pub fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
-    angle::atan2_lanes(y, x)
+    let mut angles = y;
+    angle::atan2_each(&mut angles, &x);
+    angles
 }
 
 /// √(x² + y²) without overflow on the way.
@@ -205,16 +256,19 @@ pub fn hypot<T: Float>(x: T, y: T) -> T {
 }
 
 /// The absolute value.
+#[inline(always)]
 pub fn abs<T: Float>(x: T) -> T {
-    if x < T::lit(0.0) { -x } else { x }
+    Float::abs(x)
 }
 
 /// The larger of two numbers; the second if they have no order.
+#[inline(always)]
 pub fn max<T: Float>(x: T, y: T) -> T {
     if x > y { x } else { y }
 }
 
 /// The smaller of two numbers; the second if they have no order.
+#[inline(always)]
 pub fn min<T: Float>(x: T, y: T) -> T {
     if x < y { x } else { y }
 }
@@ -230,6 +284,7 @@ pub fn is_nan<T: Float>(x: T) -> bool {
 }
 
 /// Half a turn, π rounded.
+#[inline(always)]
 pub fn half_turn<T: Float>() -> T {
     T::TURN.0 * T::lit(0.5)
 }
@@ -252,18 +307,35 @@ pub fn wrap<T: Float>(angle: T) -> T {
 }
 
 /// The same angles in (-π, π], side by side.
-#[inline]
+#[inline(always)]
 pub fn wrap_all<T: Float, const L: usize>(angles: [T; L]) -> [T; L] {
+    if in_range(&angles) { angles } else { wrapped(angles) }
+}
+
+/// As [`wrap_all`], where it has something to do.
+#[inline(never)]
+fn wrapped<T: Float, const L: usize>(mut angles: [T; L]) -> [T; L] {
+    let all = angles;
+    for angle in &mut angles {
+        *angle = within_a_turn(*angle);
+    }
+    if !in_range(&angles) {
+        for (angle, from) in angles.iter_mut().zip(all) {
+            *angle = wrap(from);
+        }
+    }
+    angles
+}
+
+/// Whether all angles are in (-π, π]; without an early return, which is a branch for each lane.
+#[inline(always)]
+fn in_range<T: Float, const L: usize>(angles: &[T; L]) -> bool {
     let half = half_turn::<T>();
-    // Without `all`, whose early return is a branch for each lane.
-    if angles.iter().fold(true, |all, angle| all & (*angle > -half) & (*angle <= half)) {
-        return angles;
+    let mut all = true;
+    for angle in angles {
+        all &= (*angle > -half) & (*angle <= half);
     }
-    let wrapped = angles.map(within_a_turn);
-    if wrapped.iter().fold(true, |all, angle| all & (*angle > -half) & (*angle <= half)) {
-        return wrapped;
-    }
-    angles.map(wrap)
+    all
 }
 
 /// The same angle in (-π, π], if it is within a turn and a half: as [`into_range`], without a branch.

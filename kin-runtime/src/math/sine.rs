@@ -37,10 +37,10 @@ const COSINE: [f64; 6] = [
 /// Sine and cosine of any number; NaN for infinities and NaN.
 #[inline]
 pub(super) fn sin_cos(x: f64) -> (f64, f64) {
-    if x.abs() <= USUAL { usual(x) } else { unusual(x) }
+    if is_usual(x) { usual(x) } else { unusual(x) }
 }
 
-/// Sines and cosines side by side, each with the bits that [`sin_cos`] gives.
+/// Sines and cosines side by side, each with the bits that [`sin_cos`] gives; with the instructions of the caller.
 #[inline(always)]
 pub(super) fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
     let (mut sines, mut cosines) = (angles, angles);
@@ -48,7 +48,7 @@ pub(super) fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64
         (*sine, *cosine) = usual(*sine);
     }
     // Without `all`, whose early return is a branch for each lane.
-    if !angles.iter().fold(true, |usual, x| usual & (x.abs() <= USUAL)) {
+    if !angles.iter().fold(true, |usual, x| usual & is_usual(*x)) {
         repair(&angles, &mut sines, &mut cosines);
     }
     (sines, cosines)
@@ -60,6 +60,67 @@ fn repair(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     for ((x, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
         (*sine, *cosine) = sin_cos(*x);
     }
+}
+
+/// The same of angles that come one by one.
+#[inline(always)]
+pub(super) fn sin_cos_all<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
+    let (mut sines, mut cosines) = (angles, angles);
+    let (fours, rest) = angles.as_chunks::<4>();
+    let (four_sines, rest_sines) = sines.as_chunks_mut::<4>();
+    let (four_cosines, rest_cosines) = cosines.as_chunks_mut::<4>();
+    for ((&[a, b, c, d], sines), cosines) in fours.iter().zip(four_sines).zip(four_cosines) {
+        (*sines, *cosines) = four(a, b, c, d);
+    }
+    let (twos, rest) = rest.as_chunks::<2>();
+    let (two_sines, rest_sines) = rest_sines.as_chunks_mut::<2>();
+    let (two_cosines, rest_cosines) = rest_cosines.as_chunks_mut::<2>();
+    for ((&[a, b], sines), cosines) in twos.iter().zip(two_sines).zip(two_cosines) {
+        (*sines, *cosines) = two(a, b);
+    }
+    for ((x, sine), cosine) in rest.iter().zip(rest_sines).zip(rest_cosines) {
+        (*sine, *cosine) = sin_cos(*x);
+    }
+    (sines, cosines)
+}
+
+/// Four angles at once. They come one by one, because a call has registers for them: numbers that were just written to
+/// memory one at a time cannot be read from there as a vector without waiting.
+#[inline(never)]
+fn four(a: f64, b: f64, c: f64, d: f64) -> ([f64; 4], [f64; 4]) {
+    // Without `&&`, which is a branch for each.
+    if (is_usual(a) & is_usual(b)) & (is_usual(c) & is_usual(d)) {
+        let ((sa, ca), (sb, cb), (sc, cc), (sd, cd)) = (usual(a), usual(b), usual(c), usual(d));
+        ([sa, sb, sc, sd], [ca, cb, cc, cd])
+    } else {
+        let (([sa, sb], [ca, cb]), ([sc, sd], [cc, cd])) = (each(a, b), each(c, d));
+        ([sa, sb, sc, sd], [ca, cb, cc, cd])
+    }
+}
+
+/// Two angles at once.
+#[inline(never)]
+fn two(a: f64, b: f64) -> ([f64; 2], [f64; 2]) {
+    if is_usual(a) & is_usual(b) {
+        let ((sa, ca), (sb, cb)) = (usual(a), usual(b));
+        ([sa, sb], [ca, cb])
+    } else {
+        each(a, b)
+    }
+}
+
+/// Two angles, one after the other.
+#[cold]
+#[inline(never)]
+fn each(a: f64, b: f64) -> ([f64; 2], [f64; 2]) {
+    let ((sa, ca), (sb, cb)) = (sin_cos(a), sin_cos(b));
+    ([sa, sb], [ca, cb])
+}
+
+/// Whether the usual way is right for an angle.
+#[inline(always)]
+fn is_usual(x: f64) -> bool {
+    x.abs() <= USUAL
 }
 
 /// Sine and cosine of an angle of usual size; of others, nothing of meaning.

@@ -95,12 +95,6 @@ impl ArmPosture {
         }
     }
 
-    /// Its number among the slots, from 0.
-    pub(crate) const fn index(self) -> usize {
-        let (left, down) = (matches!(self.shoulder, Shoulder::Left), matches!(self.elbow, Elbow::Down));
-        2 * left as usize + down as usize
-    }
-
     /// With one of the two wrists.
     pub const fn with(self, wrist: Bend) -> Posture {
         Posture { shoulder: self.shoulder, elbow: self.elbow, wrist }
@@ -190,14 +184,22 @@ impl Branch for Posture {
         ArmPosture::new(Shoulder::Left, Elbow::Down).with(Bend::Flip),
     ];
 
+    #[inline(always)]
     fn slots<X>(mut make: impl FnMut(Self) -> X) -> [X; 8] {
-        array::from_fn(|slot| {
-            make(Self {
-                shoulder: if slot & 4 == 0 { Shoulder::Right } else { Shoulder::Left },
-                elbow: if slot & 2 == 0 { Elbow::Up } else { Elbow::Down },
-                wrist: if slot & 1 == 0 { Bend::NoFlip } else { Bend::Flip },
-            })
-        })
+        let [right, left] = [Shoulder::Right, Shoulder::Left];
+        let [up, down] = [Elbow::Up, Elbow::Down];
+        let mut make = |shoulder, elbow, wrist| make(Self { shoulder, elbow, wrist });
+        // One by one, and not from their numbers: every slot is then written in its place, by code that knows its name.
+        [
+            make(right, up, Bend::NoFlip),
+            make(right, up, Bend::Flip),
+            make(right, down, Bend::NoFlip),
+            make(right, down, Bend::Flip),
+            make(left, up, Bend::NoFlip),
+            make(left, up, Bend::Flip),
+            make(left, down, Bend::NoFlip),
+            make(left, down, Bend::Flip),
+        ]
     }
 
     fn of<X>(self, slots: &[X; 8]) -> &X {

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::method::{Given, Gives, Turns};
 use super::{ATTRIBUTES, Printer, line};
+use crate::algebra::expr::Turn;
 use crate::back::infix::{self, Leaves};
 use crate::family::short::Carrier;
 use crate::family::wrist::{Wrist, WristForm};
@@ -52,6 +53,7 @@ impl Printer<'_> {
         line!(text, "{ATTRIBUTES}\nimpl {krate}::private::SolveWrist<{n}> for {name} {{");
         self.base(text, &solver.geometry.base);
         let what = "The wrist centre of a pose, in the shoulder frame";
+        line!(text, "#[inline(always)]");
         self.method(text, what, &solver.wrist_centre, Given::Pose, Gives::Coordinates);
         let what = "³R₆ of a pose, from the first three row values";
         self.method(text, what, &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
@@ -78,15 +80,35 @@ impl Printer<'_> {
         if many || !matches!(wrist.form, WristForm::Orthogonal) {
             return;
         }
+        line!(text, "#[inline(always)]");
         line!(text, "fn orthogonal_wrist<T: {krate}::Float>(&self)");
         line!(text, "-> ::core::option::Option<{krate}::private::Rows<T>> {{");
         let offset = self.offsets(&wrist.offsets);
         line!(text, "::core::option::Option::Some({krate}::private::Rows {{");
         line!(text, "offset: [{offset}], reversed: [false; 3] }})\n}}");
         let what = "The matrix of the figure angles, from ³R₆";
+        line!(text, "#[inline(always)]");
         self.method(text, what, &solver.wrist_matrix, Given::Rotation("r36"), Gives::Rows);
         self.turned(text, "WRIST", &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
         self.turned(text, "FK", fk, Given::Joints, Gives::Pose);
+        line!(text, "const COUPLED: bool = {};", !is_identity(&self.arm.couple));
+        let known = fk.turns.iter().map(|turn| self.known(turn, &solver.wrist_rotation.turns));
+        let nothing = (fk.turns.len()..MOST_TURNS).map(|_| "Nothing".to_owned());
+        let known: Vec<String> =
+            known.chain(nothing).map(|known| format!("{krate}::private::Known::{known}")).collect();
+        line!(text, "const FK_KNOWN: [{krate}::private::Known; {MOST_TURNS}] = [{}];", known.join(", "));
+    }
+
+    /// What is known of an angle of forward kinematics once the wrist is solved, whose angles those are.
+    fn known(&self, turn: &Turn, wrist: &[Turn]) -> String {
+        if !is_identity(&self.arm.couple) {
+            return "Nothing".to_owned();
+        }
+        match wrist.iter().position(|known| known == turn) {
+            Some(known) => format!("Wrist({known})"),
+            None if turn.joints.iter().all(|(_, joint)| *joint < 3) => "Base".to_owned(),
+            None => "Nothing".to_owned(),
+        }
     }
 
     /// A program in two parts: its turns, and the rest of it, which takes their sines and cosines.
@@ -104,7 +126,7 @@ impl Printer<'_> {
         line!(text, "[{}]\n}}", filled.collect::<Vec<_>>().join(", "));
         line!(text, "#[inline(always)]");
         line!(text, "fn {method}_turned<T: {krate}::Real>(&self, {arguments},");
-        line!(text, "sines: [T; {MOST_TURNS}], cosines: [T; {MOST_TURNS}]) -> {result} {{");
+        line!(text, "sines: &[T; {MOST_TURNS}], cosines: &[T; {MOST_TURNS}]) -> {result} {{");
         self.steps(text, program, given, Turns::Given);
         line!(text, "{}\n}}", self.value(program, gives));
     }
@@ -257,11 +279,10 @@ impl Printer<'_> {
 
     fn linear_map(&self, text: &mut String, doc: &str, name: &str, argument: &str, matrix: &[Vec<i64>]) {
         let (krate, n) = (self.krate, self.count());
-        let identity =
-            |(i, row): (usize, &Vec<i64>)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j));
         line!(text, "/// {doc}");
+        line!(text, "#[inline(always)]");
         line!(text, "fn {name}<T: {krate}::Real>(&self, {argument}: [T; {n}]) -> [T; {n}] {{");
-        if matrix.iter().enumerate().all(identity) {
+        if is_identity(matrix) {
             line!(text, "{argument}\n}}");
             return;
         }
@@ -282,4 +303,10 @@ impl Printer<'_> {
         }
         text
     }
+}
+
+/// Whether a matrix leaves every vector as it is.
+fn is_identity(matrix: &[Vec<i64>]) -> bool {
+    let row = |(i, row): (usize, &Vec<i64>)| row.iter().enumerate().all(|(j, c)| *c == i64::from(i == j));
+    matrix.iter().enumerate().all(row)
 }

@@ -187,7 +187,7 @@ impl Printer<'_> {
         match program.turns.len() {
             0 => {}
             _ if turns == Turns::Given => {
-                line!(text, "let ([{sines}, ..], [{cosines}, ..]) = (sines, cosines);")
+                line!(text, "let ([{sines}, ..], [{cosines}, ..]) = (*sines, *cosines);")
             }
             1 => line!(text, "let ({sines}, {cosines}) = {krate}::Real::sin_cos({angles});"),
             _ => line!(text, "let ([{sines}], [{cosines}]) = {krate}::Real::sin_cos_all([{angles}]);"),
