@@ -17,7 +17,7 @@ const FLOORS: [Target; 6] = [
     target("fk and jacobian", "this library", "k", 13.5),
     target("fk and jacobian", "this library", "rs-opw-kinematics", 18.5),
     target("ik", "this library", "rs-opw-kinematics", 2.3),
-    target("fk, batch", "this library, AVX2", "nalgebra, isometries", 10.0),
+    target("fk, batch", "this library, AVX2", "nalgebra, isometries", 6.1),
 ];
 
 /// What the run under valgrind does.

@@ -8,13 +8,15 @@ mod batches;
 mod clock;
 mod count;
 mod data;
+mod growth;
+mod operations;
 mod peers;
 mod report;
 mod ways;
 
-use clock::STRETCH;
 use criterion::{Criterion, Throughput};
 use std::process::ExitCode;
+use std::rc::Rc;
 use std::time::Duration;
 
 /// What is asked for: so many times faster than a peer, by the clock.
@@ -49,7 +51,7 @@ fn main() -> ExitCode {
         ["--gate", ..] => return count::gate(&ways),
         _ => {}
     }
-    let times = clock::medians(&mut ways, STRETCH);
+    let times = clock::medians(&mut ways);
     let counts = count::all(&ways);
     print!("{}", clock::table(&ways, &times, counts.as_deref()));
     for target in &TARGETS {
@@ -59,8 +61,18 @@ fn main() -> ExitCode {
             None => println!("{group}: {ours} not on this machine"),
         }
     }
+    let data = &Rc::new(data::Data::new());
+    let mut grown = growth::joints();
+    grown.extend(growth::solutions());
+    grown.extend(growth::lengths(data));
+    let growth = clock::medians(&mut grown);
+    print!("{}", clock::table(&grown, &growth, None));
     if arguments.iter().any(|argument| argument == "--report") {
-        return report::write(&ways, &times, counts.as_deref());
+        let growth = report::Timed { ways: &grown, times: &growth, counts: None };
+        return report::write(
+            &report::Timed { ways: &ways, times: &times, counts: counts.as_deref() },
+            &growth,
+        );
     }
     let mut criterion = Criterion::default()
         .warm_up_time(Duration::from_millis(300))

@@ -1,6 +1,7 @@
 //! Everything that is timed, each way over the same configurations.
 
 use crate::batches;
+use crate::clock::STRETCH;
 use crate::data::Data;
 use crate::peers::{self, Chain, Isometries, Matrices, OPW_STEP, Rotations};
 use kin_runtime::prelude::*;
@@ -15,6 +16,8 @@ use std::rc::Rc;
 pub(crate) struct Way {
     pub(crate) group: &'static str,
     pub(crate) name: &'static str,
+    /// How many elements it is timed over in one go.
+    pub(crate) stretch: usize,
     /// Does so for these of the elements.
     pub(crate) run: Box<dyn FnMut(Range<usize>)>,
 }
@@ -33,7 +36,7 @@ pub(crate) fn each<I: 'static, O>(
             black_box(&call(black_box(item)));
         }
     };
-    Way { group, name, run: Box::new(run) }
+    Way { group, name, stretch: STRETCH, run: Box::new(run) }
 }
 
 /// Each asked with what the one before gave: an addition and a multiplication, by nothing, go into every entry.
@@ -52,7 +55,7 @@ fn chained<I: 'static>(
         }
         black_box(carry);
     };
-    Way { group, name, run: Box::new(run) }
+    Way { group, name, stretch: STRETCH, run: Box::new(run) }
 }
 
 /// All ways; of each group this library's comes first.
