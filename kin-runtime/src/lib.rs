@@ -131,8 +131,9 @@
 //! [`batch`] slices of configurations and poses · [`singularity`] · [`dual`] rates of change · [`dynamic`] arms behind
 //! references · [`math`] numbers.
 //!
-//! The feature `std` lets batches find the widest instructions of the machine, `rayon` lets them have all its threads. The
-//! feature `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
+//! The feature `std`, a default, lets batches find the widest instructions of the machine, and roots stand side by side; it
+//! does nothing but on x86-64 with an operating system. `rayon` lets batches have all threads of the machine. The feature
+//! `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
 
 pub mod arm;

@@ -26,11 +26,11 @@ impl Instructions {
     pub fn are_here(self) -> bool {
         match self {
             Instructions::Baseline => true,
-            #[cfg(all(feature = "std", target_arch = "x86_64"))]
+            #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
             Instructions::Avx2 => pulp::x86::V3::try_new().is_some(),
-            #[cfg(all(feature = "std", target_arch = "x86_64"))]
+            #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
             Instructions::Avx512 => pulp::x86::V4::try_new().is_some(),
-            #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+            #[cfg(not(all(feature = "std", target_arch = "x86_64", any(unix, windows))))]
             Instructions::Avx2 | Instructions::Avx512 => false,
         }
     }
@@ -38,7 +38,7 @@ impl Instructions {
 
 /// Does the work with the widest instructions that are here.
 pub(super) fn run(work: impl Work, at_most: Instructions) {
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
     {
         use pulp::Simd;
         use pulp::x86::{V3, V4};
@@ -53,16 +53,16 @@ pub(super) fn run(work: impl Work, at_most: Instructions) {
             return Simd::vectorize(wide, Compiled(work));
         }
     }
-    #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+    #[cfg(not(all(feature = "std", target_arch = "x86_64", any(unix, windows))))]
     let _ = at_most;
     work.run();
 }
 
 /// Work that pulp compiles for a set of instructions.
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
 struct Compiled<W>(W);
 
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
 impl<W: Work> pulp::WithSimd for Compiled<W> {
     type Output = ();
 

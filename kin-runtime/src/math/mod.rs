@@ -3,11 +3,12 @@
 //! Sines, cosines and arctangents are our own, in + − × ÷ of doubles and integers, without a fused multiply-add: the same
 //! input gives the same bits on every target, one at a time or side by side. Measured over 10⁸ samples, sines and cosines
 //! are at most one double away from the correctly rounded value, arctangents at most two (`cargo run --release -p tests
-//! --bin trig`). Single precision is double precision rounded. Roots are `libm`'s.
+//! --bin trig`). Single precision is double precision rounded. Roots are those of IEEE 754, correctly rounded everywhere.
 //!
 //! ```text
 //! sine ◄ remainder      sine and cosine; what is left of a huge angle
 //! angle                 the angle of a plane vector
+//! root                  square roots
 //! lanes                 many numbers as one
 //! ```
 //!
@@ -17,6 +18,7 @@
 mod angle;
 mod lanes;
 mod remainder;
+mod root;
 mod sine;
 
 pub use lanes::Lanes;
@@ -99,7 +101,7 @@ impl Real for f64 {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        libm::sqrt(self)
+        root::double(self)
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
@@ -151,7 +153,7 @@ impl Real for f32 {
     }
     #[inline]
     fn sqrt(self) -> Self {
-        libm::sqrtf(self)
+        root::single(self)
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
