@@ -165,6 +165,28 @@ impl<T: Float> Base<T> {
         }
     }
 
+    /// How much round-off of the point is magnified in the row values that are not free, about; and whether branches touch, so
+    /// that it grows to its square root and no more.
+    pub(crate) fn magnified(&self, placed: &Placed<T>) -> (T, bool) {
+        let (zero, one, reach) = (T::lit(0.0), T::lit(1.0), self.reach());
+        let by = |margin: T, free| match free {
+            true => zero,
+            false if margin == zero => T::lit(16.0) / math::sqrt(T::EPS),
+            false => one / margin,
+        };
+        // The second figure sees what the first one has magnified as far as it lies along its distance.
+        let (elbow, aside, distance) = match self {
+            Base::Elbow(base) => (placed.elbow, base.a1, base.closing(placed)),
+            Base::Telescope(base) => (placed.elbow / reach, base.a1, placed.elbow),
+            Base::General(_) => (placed.elbow, reach, zero),
+        };
+        let aside = math::abs(aside) + placed.shoulder;
+        let through = if aside < distance { aside / distance } else { one };
+        let (first, second) =
+            (by(placed.shoulder / reach, placed.shoulder_free), by(elbow, placed.elbow_free));
+        (one + first + second * (one + through * first), placed.shoulder == zero || elbow == zero)
+    }
+
     /// The arm's reach.
     pub fn reach(&self) -> T {
         match self {
@@ -353,6 +375,17 @@ impl<T: Float> Stand<T> {
 }
 
 impl<T: Float> ElbowBase<T> {
+    /// The distance that the links span where they are stretched or folded, whichever is nearer.
+    fn closing(&self, placed: &Placed<T>) -> T {
+        let ([_, _, t3], [_, _, offset], [_, _, reversed]) = (placed.rows, self.offset, self.reversed);
+        let bend = math::abs(math::wrap(figure_angle(t3, offset, reversed)));
+        if bend < math::half_turn::<T>() * T::lit(0.5) {
+            self.upper + self.fore
+        } else {
+            math::abs(self.upper - self.fore)
+        }
+    }
+
     /// The elbow: two links span the distance.
     fn span(&self, side: Shoulder, distance: T, window: T) -> Result<Figure<T>, Open<T>> {
         let (bend, free) = match circle_meets_circle(self.upper, self.fore, distance, window) {

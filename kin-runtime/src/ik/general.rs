@@ -61,6 +61,18 @@ pub(super) fn cross<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
+/// What a symmetric positive definite matrix, by rows, takes to `right`: Cramer's rule. None if rounding has made it singular.
+pub(super) fn solved<T: Float>([r0, r1, r2]: [[T; 3]; 3], right: [T; 3]) -> Option<[T; 3]> {
+    // The columns of the adjugate are cross products of the rows.
+    let (k0, k1, k2) = (cross(r1, r2), cross(r2, r0), cross(r0, r1));
+    let determinant = dot(&r0, &k0);
+    if determinant <= T::lit(0.0) {
+        return None;
+    }
+    let [m0, m1, m2] = right.map(|m| m / determinant);
+    Some(plus(plus(k0.map(|k| k * m0), k1, m1), k2, m2))
+}
+
 fn length<T: Float>(v: [T; 3]) -> T {
     math::sqrt(dot(&v, &v))
 }
@@ -372,15 +384,7 @@ impl<T: Float> Stance<T> {
         let (xy, xz, yz) = (dot(&x, &y), dot(&x, &z), dot(&y, &z));
         let damping = (xx + yy + zz) * T::EPS * T::lit(16.0);
         let rows = [[xx + damping, xy, xz], [xy, yy + damping, yz], [xz, yz, zz + damping]];
-        // Cramer's rule: the columns of the adjugate are cross products of the rows.
-        let [r0, r1, r2] = rows;
-        let (k0, k1, k2) = (cross(r1, r2), cross(r2, r0), cross(r0, r1));
-        let determinant = dot(&r0, &k0);
-        if determinant <= T::lit(0.0) {
-            return [T::lit(0.0); 3];
-        }
-        let [m0, m1, m2] = self.missed.map(|m| m / determinant);
-        let solved = plus(plus(k0.map(|k| k * m0), k1, m1), k2, m2);
+        let Some(solved) = solved(rows, self.missed) else { return [T::lit(0.0); 3] };
         [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
     }
 

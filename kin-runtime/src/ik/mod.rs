@@ -41,6 +41,7 @@ mod side;
 mod sphere;
 pub mod spherical_shoulder;
 pub mod spherical_wrist;
+mod straight;
 pub mod target;
 pub mod wrist;
 

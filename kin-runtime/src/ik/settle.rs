@@ -74,7 +74,7 @@ pub(crate) fn improved<T: Float, const N: usize, A: Arm<N>>(
 }
 
 /// How the tool must move, as the rows of the Jacobian count: a length in parts of the reach, then a turn.
-fn error<T: Float>(to: &Pose<T>, from: &Pose<T>, reach: T) -> [T; 6] {
+pub(super) fn error<T: Float>(to: &Pose<T>, from: &Pose<T>, reach: T) -> [T; 6] {
     let ((r, [x, y, z]), (s, [a, b, c])) = (pose::rows(from), pose::rows(to));
     let half = T::lit(0.5);
     let mut turn = [T::lit(0.0); 3];
@@ -123,11 +123,11 @@ fn least_squares<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6])
     x
 }
 
-fn product<T: Float, const M: usize>(a: &[T; M], b: &[T; M]) -> T {
+pub(super) fn product<T: Float, const M: usize>(a: &[T; M], b: &[T; M]) -> T {
     a.iter().zip(b).fold(T::lit(0.0), |sum, (x, y)| sum + *x * *y)
 }
 
-fn add<T: Float, const M: usize>(to: &mut [T; M], what: &[T; M], times: T) {
+pub(super) fn add<T: Float, const M: usize>(to: &mut [T; M], what: &[T; M], times: T) {
     for (x, y) in to.iter_mut().zip(what) {
         *x += times * *y;
     }

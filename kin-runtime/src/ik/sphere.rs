@@ -7,9 +7,10 @@
 use crate::arm::Arm;
 use crate::ik::base::{Placed, Placements};
 use crate::ik::side::{self, Four};
+use crate::ik::straight::{self, Doubt};
 use crate::ik::target::{Target, accepted};
-use crate::ik::wrist::Wrist;
-use crate::ik::{ACCEPTED, Base, ROUND_OFF, given_out, sliding};
+use crate::ik::wrist::{Wrist, WristFamily};
+use crate::ik::{Base, sliding};
 use crate::math::{self, Float, Real};
 use crate::pose::{self, Pose};
 use crate::solutions::{
@@ -79,14 +80,29 @@ pub(crate) fn solve_placed<T: Float, V: View>(
     let ([first, second, _], [outer, _, _]) = V::apart(hold);
     let task = Task { view, target, held: [first, second], outer };
     let mut plans = [[Plan::Empty(Reason::NotFinite); 2]; 4];
-    for (count, (posture, both)) in ArmPosture::ALL.iter().zip(&mut plans).enumerate() {
+    let mut doubts = [None; 4];
+    let each = ArmPosture::ALL.iter().zip(&mut plans).zip(&mut doubts).enumerate();
+    for (count, ((posture, both), doubt)) in each {
         let placement = posture.of(placements);
         let mut earlier = ArmPosture::ALL.iter().take(count);
         *both = match (placement, earlier.find(|earlier| earlier.of(placements) == placement)) {
             (Err(reason), _) => [Plan::Empty(V::reason(*reason)); 2],
             (Ok(_), Some(same)) => [Bend::NoFlip, Bend::Flip].map(|bend| Plan::Again(V::branch(*same, bend))),
-            (Ok(placed), None) => task.bend(*posture, placed),
+            (Ok(placed), None) => task.bend(*posture, placed, doubt),
         };
+    }
+    let mut bent: Option<&Doubt<T>> = None;
+    for (posture, both) in ArmPosture::ALL.iter().zip(&mut plans) {
+        let Some(doubt) = posture.of(&doubts) else { continue };
+        if !doubt.is_likeliest(&doubts) || bent.is_some_and(|bent| bent.is_like(doubt)) {
+            continue;
+        }
+        match straight::straightened(view, &task.target, doubt) {
+            Some((rows, family)) => {
+                *both = task.family(*posture, &Placed { rows, ..doubt.placed }, family);
+            }
+            None => bent = Some(doubt),
+        }
     }
     let mut solutions = Solutions::none(sliding(&V::Arm::JOINTS), Reason::NotFinite);
     for (bend, flip) in [(Bend::NoFlip, false), (Bend::Flip, true)] {
@@ -135,23 +151,23 @@ struct Task<'a, T: Float, V> {
 }
 
 impl<T: Float, V: View> Task<'_, T, V> {
-    /// The two slots of one placement of the wrist centre.
-    fn bend(&self, posture: ArmPosture, placed: &Placed<T>) -> [Plan<T, V::Branch>; 2] {
+    /// The two slots of one placement of the wrist centre, and whether they may be one family but for round-off of the base.
+    fn bend(
+        &self,
+        posture: ArmPosture,
+        placed: &Placed<T>,
+        doubt: &mut Option<Doubt<T>>,
+    ) -> [Plan<T, V::Branch>; 2] {
         let (rows, wrist) = self.reached(placed);
-        let wrist = self.decided(rows, wrist);
-        let first = placed.shoulder_free.then(|| self.moving(rows, &wrist, 0));
-        let second = placed.elbow_free.then(|| self.moving(rows, &wrist, 1));
-        let plan = |sphere, margin, line| {
-            let margins = V::margins(placed.shoulder, placed.elbow, margin);
-            Plan::Try(V::joined(rows, sphere), margins, V::free(first, second, line))
-        };
+        let placed = &Placed { rows, ..*placed };
         match wrist {
-            Wrist::Two { noflip, flip, margin, .. } => [plan(noflip, margin, None), plan(flip, margin, None)],
-            Wrist::Family(family) => {
-                let member = self.outer.map_or_else(|| family.even(), |first| family.member(first));
-                let line = Some(self.line(family.difference));
-                [plan(member, T::lit(0.0), line), Plan::Again(V::branch(posture, Bend::NoFlip))]
+            Wrist::Two { noflip, flip, margin, doubt: family } => {
+                *doubt = family.and_then(|family| Doubt::of(margin, family, placed, &self.view.base()));
+                let free = self.free(placed, noflip, None);
+                let margins = V::margins(placed.shoulder, placed.elbow, margin);
+                [noflip, flip].map(|sphere| Plan::Try(V::joined(rows, sphere), margins, free))
             }
+            Wrist::Family(family) => self.family(posture, placed, family),
             Wrist::OutOfReach { by } => {
                 let [t1, ..] = rows;
                 let reason = Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) };
@@ -160,14 +176,25 @@ impl<T: Float, V: View> Task<'_, T, V> {
         }
     }
 
-    /// Two ways that are one family but for round-off of the base become that family, if its members reach the pose.
-    /// All of them turn the tool alike, so that one speaks for the rest; what it leaves is for their own round-off.
-    fn decided(&self, rows: [T; 3], wrist: Wrist<T>) -> Wrist<T> {
-        let Wrist::Two { doubt: Some(family), .. } = wrist else { return wrist };
-        let straight = self.view.command(V::joined(rows, family.member(T::lit(0.0))));
-        let residual = self.target.missed_by(&self.view.arm().fk(&given_out(straight, &V::Arm::JOINTS)));
-        let within = residual <= T::lit(ACCEPTED - ROUND_OFF) * T::EPS;
-        if within { Wrist::Family(family) } else { wrist }
+    /// The two slots of a family of the sphere.
+    fn family(
+        &self,
+        posture: ArmPosture,
+        placed: &Placed<T>,
+        family: WristFamily<T>,
+    ) -> [Plan<T, V::Branch>; 2] {
+        let member = self.outer.map_or_else(|| family.even(), |first| family.member(first));
+        let free = self.free(placed, member, Some(self.line(family.difference)));
+        let margins = V::margins(placed.shoulder, placed.elbow, T::lit(0.0));
+        let same = Plan::Again(V::branch(posture, Bend::NoFlip));
+        [Plan::Try(V::joined(placed.rows, member), margins, free), same]
+    }
+
+    /// What a placement leaves free, and the sphere, of which one way is known.
+    fn free(&self, placed: &Placed<T>, sphere: [T; 3], line: Option<Loose<6>>) -> Free<6> {
+        let first = placed.shoulder_free.then(|| self.moving(placed.rows, sphere, 0));
+        let second = placed.elbow_free.then(|| self.moving(placed.rows, sphere, 1));
+        V::free(first, second, line)
     }
 
     fn wrist(&self, rows: [T; 3]) -> Wrist<T> {
@@ -220,10 +247,9 @@ impl<T: Float, V: View> Task<'_, T, V> {
     /// Seen from beyond the base the tool then turns about the axis of that joint. If this is one of the sphere's own axes, the
     /// sphere's joint of that axis alone makes up for it, or its outer two share it where they coincide. Otherwise all three
     /// move, even if one of them has its old value in a member.
-    fn moving(&self, rows: [T; 3], wrist: &Wrist<T>, of: u8) -> Loose<6> {
+    fn moving(&self, rows: [T; 3], here: [T; 3], of: u8) -> Loose<6> {
         let joint = V::joint(of);
         let mut set = JointSet::EMPTY.with(usize::from(joint));
-        let Some(here) = any_way(wrist) else { return Loose::Follow { joint, moving: set } };
         let mut turned = JointSet::EMPTY;
         for step in [0.1, 2.0] {
             let mut other = rows;

@@ -16,8 +16,8 @@ pub enum Wrist<T> {
         flip: [T; 3],
         /// The angle of the bend from where the three axes lie in one plane.
         margin: T,
-        /// The family that this would be if the bend were round-off, where it is small enough to be just that: the
-        /// rotation alone does not tell.
+        /// The family that this would be if the bend were round-off, where it is less than 1/4096: the rotation alone does
+        /// not tell.
         doubt: Option<WristFamily<T>>,
     },
     /// Axes 4 and 6 coincide: infinitely many ways.
@@ -51,6 +51,12 @@ impl<T: Float> WristFamily<T> {
         let t4 = math::wrap(t4);
         let t6 = if self.difference { t4 - self.constant } else { self.constant - t4 };
         [t4, self.straight, math::wrap(t6)]
+    }
+
+    /// The same with axes that coincide exactly, t6 moved by so much.
+    pub(crate) fn straightened(self, t6: T) -> Self {
+        let constant = math::wrap(if self.difference { self.constant - t6 } else { self.constant + t6 });
+        Self { constant, tilt: T::lit(0.0), ..self }
     }
 
     /// The member that shares the constant evenly between joints 4 and 6: the convention of seed 000. Where that
@@ -110,13 +116,16 @@ pub fn zyz<T: Float>(m: [[T; 3]; 3], rows: &Rows<T>) -> Wrist<T> {
     // Away from the singularity the third column is itself the direction (cos a, sin a), but for its length.
     let (sa, ca) = if singular { math::sin_cos(a) } else { (m23, m13) };
     let c = math::atan2(ca * m21 - sa * m11, ca * m22 - sa * m12);
-    let family = singular.then(|| {
+    let family = (sin_b <= T::lit(BENT)).then(|| {
         let straight = if m33 < T::lit(0.0) { math::half_turn() } else { T::lit(0.0) };
         family([a, b, c], [a, straight, c], sin_b, m33, rows)
     });
     let [noflip, flip] = [[a, b, c], [opposite(a), -b, opposite(c)]].map(|angles| rows.values(angles));
     told(noflip, flip, from_straight(b), family)
 }
+
+/// The sine of the largest bend that round-off of a base may have made: beyond, a base that magnifies it so much is anywhere.
+const BENT: f64 = 1.0 / 4096.0;
 
 /// How far an angle in [0, π] is from the nearer end.
 fn from_straight<T: Float>(bend: T) -> T {
@@ -162,7 +171,7 @@ pub fn oblique<T: Float>(m: [[T; 3]; 3], k4: [[T; 3]; 3], k5: [[T; 3]; 3], rows:
         Corner::TooFar(by) | Corner::TooNear(by) => return Wrist::OutOfReach { by },
     };
     let noflip = bent(&m, &k4, &k5, closest + swing);
-    let family = (sin_46 <= T::lit(DOUBTFUL) * T::EPS).then(|| {
+    let family = (sin_46 <= T::lit(BENT)).then(|| {
         let straight = if m33 < T::lit(0.0) { closest + math::half_turn() } else { closest };
         family(noflip, bent(&m, &k4, &k5, straight), sin_46, m33, rows)
     });

@@ -27,7 +27,7 @@ pub use windings::{Winding, Windings};
 use crate::arm::JointKind;
 use crate::limits::Limits;
 use crate::math::{self, Float};
-use crate::pose::{self, Joints};
+use crate::pose::Joints;
 use core::{fmt, iter, slice};
 
 /// Joint values that bring the tool to the pose: checked by forward kinematics.
@@ -242,8 +242,13 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
 
     /// Whether no joint of two vectors differs by more than the tolerance; most differ in the first.
     fn same(&self, a: &Joints<T, N>, b: &Joints<T, N>, tolerance: T) -> bool {
-        let mut joints = pose::entries(a).into_iter().zip(pose::entries(b)).enumerate();
-        joints.all(|(joint, (a, b))| math::abs(self.difference(joint, a, b)) <= tolerance)
+        let ([a], [b]) = (&a.data.0, &b.data.0);
+        // Most pairs are told apart without taking whole turns off.
+        let turn = T::TURN.0 - (tolerance + tolerance);
+        a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
+            let gap = math::abs(*a - *b);
+            gap <= tolerance || (gap >= turn && math::abs(self.difference(joint, *a, *b)) <= tolerance)
+        })
     }
 
     /// The way of one joint from `b` to `a`: the short way round for an angle.
@@ -263,13 +268,13 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     pub(crate) fn merge(&mut self, reach: T) {
         let tolerance = tolerance::<T>() * self.unit(reach);
         for (count, branch) in B::ALL.iter().enumerate() {
-            let Slot::Solved(later) = *self.get(*branch) else { continue };
-            for earlier in B::ALL.iter().take(count) {
-                let Slot::Solved(first) = *self.get(*earlier) else { continue };
-                if self.same(&first.q, &later.q, tolerance) {
-                    self.put(*branch, Slot::Merged { with: *earlier });
-                    break;
-                }
+            let Slot::Solved(later) = self.get(*branch) else { continue };
+            let first = B::ALL.iter().take(count).find(|earlier| {
+                let earlier = self.get(**earlier).solution();
+                earlier.is_some_and(|first| self.same(&first.q, &later.q, tolerance))
+            });
+            if let Some(with) = first {
+                self.put(*branch, Slot::Merged { with: *with });
             }
         }
         // A slot that others were merged with may have been merged itself. Mergers point to earlier slots, so that one
