@@ -30,9 +30,9 @@ const STEPS: usize = 3;
 const FAR: f64 = 1e-5;
 
 /// What the members of a family that is declared here may miss the pose by, in units of ε: no more than any solution does.
-const MISSED: f64 = 16.0;
+const MISSED: f64 = 8.0;
 
-/// How much of a bend may be round-off that the base has magnified, in units of ε: measured are 4.
+/// How much of a bend may be round-off that the base has magnified, in units of ε times what the base makes of it.
 const MAGNIFIED: f64 = 8.0;
 
 /// And no more than so many √ε where branches of the base touch.
