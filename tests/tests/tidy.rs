@@ -192,7 +192,10 @@ fn kin_runtime_has_no_std_and_no_alloc() {
 
 #[test]
 fn only_math_calls_a_transcendental_function() {
-    none("only math calls libm", lines_with("kin-runtime/src", &["libm::"], &["src/math/mod.rs", "src/math/root.rs"]));
+    none(
+        "only math calls libm",
+        lines_with("kin-runtime/src", &["libm::"], &["src/math/mod.rs", "src/math/root.rs"]),
+    );
     let words = [
         ".sin()",
         ".cos()",

@@ -134,7 +134,7 @@ struct Bent<T, const L: usize> {
 }
 
 impl<T: Float, const L: usize> Bent<T, L> {
-    /// Both bends, where none of them is nearer to straight than `far`.
+    /// Both bends, where the sine of none of them is less than `far`.
     #[inline(always)]
     fn new<A: SolveWrist<6>>(
         arm: &A,
@@ -147,10 +147,14 @@ impl<T: Float, const L: usize> Bent<T, L> {
         let wrist =
             Turned::new(arm.wrist_turns([t1, t2, t3]), A::WRIST_TURNS, |_, angle| of_placements(angle));
         let matrix = arm.wrist_matrix(&arm.wrist_turned([t1, t2, t3], pose, &wrist.sines, &wrist.cosines));
-        let Angles { noflip: [n4, n5, n6], flip: [f4, f5, f6], margin } = Angles::new(&matrix, &offsets);
-        if !all(margin, margin, |margin, _| margin > far) {
+        // The third column is that sine long: no angle is taken where it is too short.
+        let [[_, _, m13], [_, _, m23], _] = matrix;
+        let sine = (m13 * m13 + m23 * m23).sqrt();
+        if !all(sine, sine, |sine, _| sine > far) {
             return None;
         }
+        let Angles { noflip: [n4, n5, n6], flip: [f4, f5, f6], margin } =
+            Angles::new(&matrix, sine, &offsets);
         let (noflip, flip) =
             (joint_values(arm, [t1, t2, t3, n4, n5, n6]), joint_values(arm, [t1, t2, t3, f4, f5, f6]));
         let first = Turned::new(
@@ -324,11 +328,10 @@ struct Angles<T, const L: usize> {
 }
 
 impl<T: Float, const L: usize> Angles<T, L> {
-    /// As [`zyz`](crate::ik::wrist), where the third column is not short.
+    /// As [`zyz`](crate::ik::wrist), where the third column, so long beside the axis, is not short.
     #[inline(always)]
-    fn new(matrix: &[[Lanes<T, L>; 3]; 3], offsets: &Rows<T>) -> Self {
+    fn new(matrix: &[[Lanes<T, L>; 3]; 3], sine: Lanes<T, L>, offsets: &Rows<T>) -> Self {
         let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = *matrix;
-        let sine = (m13 * m13 + m23 * m23).sqrt();
         let a = Lanes::atan2(m23, m13);
         let b = Lanes::atan2(sine, m33);
         let c = Lanes::atan2(m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
