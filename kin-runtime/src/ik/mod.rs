@@ -4,6 +4,7 @@
 //! * [`general`]: any other three joints, by where two conics meet: [`conic`], `sheaf` where neither is flat, and
 //!   [`quartic`] for its roots.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
+//! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
 //! * [`spherical_wrist`]: both together, for six-joint arms.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
