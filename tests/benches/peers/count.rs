@@ -14,9 +14,9 @@ const ELEMENTS: usize = 500;
 const FLOORS: [Target; 6] = [
     target("fk", "this library", "nalgebra, isometries", 3.3),
     target("fk", "this library", "rs-opw-kinematics", 2.9),
-    target("fk and jacobian", "this library", "k", 13.5),
-    target("fk and jacobian", "this library", "rs-opw-kinematics", 18.5),
-    target("ik", "this library", "rs-opw-kinematics", 2.3),
+    target("fk and jacobian", "this library", "k", 15.0),
+    target("fk and jacobian", "this library", "rs-opw-kinematics", 20.7),
+    target("ik", "this library", "rs-opw-kinematics", 4.6),
     target("fk, batch", "this library, AVX2", "nalgebra, isometries", 6.1),
 ];
 
