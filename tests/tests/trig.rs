@@ -78,7 +78,23 @@ fn zeros_infinities_and_nan() {
 #[test]
 fn a_lane_that_is_huge_or_nothing_leaves_the_others_alone() {
     let angles = [0.1, 1e300, f64::NAN, -2.5, f64::NEG_INFINITY, 25_000.1, -0.0, f64::MAX];
-    let (sines, cosines) = math::sin_cos_lanes(angles);
+    // As lanes; and one by one, as a program has its turns: fours, a two and a rest.
+    let [a, b, c, d, e, f, g, h] = angles;
+    same_alone(angles, math::sin_cos_lanes(angles));
+    same_alone(angles, Real::sin_cos_all(angles));
+    same_alone([b, a, c, d, e, f, g], Real::sin_cos_all([b, a, c, d, e, f, g]));
+    same_alone([h, a, d, g, c, d], Real::sin_cos_all([h, a, d, g, c, d]));
+    same_alone([e], Real::sin_cos_all([e]));
+    let odd = [1e308, 0.0, f64::NAN, -1.0, f64::INFINITY, 2.0, -0.0];
+    for (y, x) in odd.iter().flat_map(|y| odd.map(|x| (*y, x))) {
+        let (ys, xs) = ([1.0, y, -0.5, y, 0.25, y, y], [2.0, x, 0.0, x, -3.0, 1.0, x]);
+        for ((y, x), angle) in ys.into_iter().zip(xs).zip(math::atan2_lanes(ys, xs)) {
+            assert_eq!(angle.to_bits(), math::atan2(y, x).to_bits(), "{y} {x}");
+        }
+    }
+}
+
+fn same_alone<const L: usize>(angles: [f64; L], (sines, cosines): ([f64; L], [f64; L])) {
     for (x, (s, c)) in angles.iter().zip(sines.iter().zip(cosines)) {
         let (sine, cosine) = math::sin_cos(*x);
         assert_eq!((s.to_bits(), c.to_bits()), (sine.to_bits(), cosine.to_bits()), "{x}");

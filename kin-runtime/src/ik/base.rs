@@ -3,7 +3,7 @@
 //! # The shoulder frame
 //!
 //! z along joint axis 1; the origin at the foot, on axis 1, of the common normal of axes 1 and 2; x along that normal
-//! towards axis 2. ψ1 turns this frame about z; in the turned frame axis 2 passes through (a1, 0, 0) in the direction
+//! (towards axis 2 where a1 > 0). ψ1 turns this frame about z; in the turned frame axis 2 passes through (a1, 0, 0) in the direction
 //! z2 = (0, -sin α, cos α), the twist α being counted about x. ψ2 and ψ3 turn about z2.
 //!
 //! # The figures
@@ -38,7 +38,7 @@ pub enum Base<T> {
 /// Figure angles from row values: ψ = offset + t, or offset - t where the joint is reversed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ElbowBase<T> {
-    /// The distance between axes 1 and 2, not negative.
+    /// From axis 1 to axis 2 along their common normal: negative where x points away from axis 2, as a table may have it.
     pub a1: T,
     /// Sine and cosine of the angle from axis 1 to axis 2 about their common normal; the sine is not zero.
     pub twist: (T, T),
@@ -61,7 +61,7 @@ pub struct ElbowBase<T> {
 /// ψ3 is a length s along the slide, from the foot of the perpendicular on axis 2 (where the slide's line misses it).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TelescopeBase<T> {
-    /// The distance between axes 1 and 2, not negative.
+    /// From axis 1 to axis 2 along their common normal: negative where x points away from axis 2, as a table may have it.
     pub a1: T,
     /// Sine and cosine of the angle from axis 1 to axis 2 about their common normal; the sine is not zero.
     pub twist: (T, T),

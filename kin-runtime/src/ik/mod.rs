@@ -23,7 +23,7 @@
 //! * [`ROUND_OFF`]: a figure that closes but for this counts as just touching, and is clamped there; one that is
 //!   smaller than this has collapsed, and leaves its angle free;
 //! * [`FAMILY`]: a wrist bent by less than this leaves the sum or the difference of its outer angles free;
-//! * [`DOUBTFUL`]: a wrist bent by less than this may do so, where the first three joints amplify round-off so much;
+//! * [`DOUBTFUL`]: a wrist bent by less than this may do so, and where the first three joints magnify round-off a larger bend;
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
 pub mod base;
@@ -69,8 +69,9 @@ pub const ROUND_OFF: f64 = 8.0;
 /// is in it. All members of the family then reach the pose within [`ACCEPTED`].
 pub const FAMILY: f64 = 32.0;
 
-/// The largest bend that may be round-off of the first three joints, in units of ε: near a stretched elbow, or where the
-/// shoulders meet, they amplify that of the wrist centre. Forward kinematics of the family's members decides.
+/// A bend that may be round-off wherever the first three joints stand, in units of ε. Near a stretched elbow, or where the
+/// shoulders meet, they magnify that of the wrist centre and a larger one may be (`straight`). Forward kinematics of the
+/// family's members decides.
 pub const DOUBTFUL: f64 = 64.0;
 
 /// The largest residual of a solution that is given out, in units of ε.

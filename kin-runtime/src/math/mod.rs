@@ -74,9 +74,7 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
     #[inline]
     fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         let mut angles = y;
-        for (angle, x) in angles.iter_mut().zip(x) {
-            *angle = Float::atan2(*angle, x);
-        }
+        Self::atan2_each(&mut angles, &x);
         angles
     }
     /// Replaces each `y` by the angle of the plane vector (x, y), as [`atan2`](Float::atan2); what has no `x` stays.
@@ -122,12 +120,6 @@ impl Float for f64 {
     const TURN: (Self, Self) = (core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
     fn atan2(y: Self, x: Self) -> Self {
         angle::atan2(y, x)
-    }
-    #[inline]
-    fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
-        let mut angles = y;
-        angle::atan2_each(&mut angles, &x);
-        angles
     }
     #[inline(always)]
     fn atan2_each(y: &mut [Self], x: &[Self]) {
@@ -247,9 +239,7 @@ pub fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {
 /// The angles of plane vectors (x, y) side by side, each with the bits that it has alone.
 #[inline]
 pub fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
-    let mut angles = y;
-    angle::atan2_each(&mut angles, &x);
-    angles
+    Float::atan2_all(y, x)
 }
 
 /// √(x² + y²) without overflow on the way.

@@ -212,8 +212,8 @@ const STEADY: &str = "
 `cargo run --release -p tests --bin steady` counts the instructions of `ik` and `ik_position` for 1,000 poses of each arm with
 callgrind, three in four of them aimed at singular sets, families among them. For a given arm and number of solutions (a double
 one counts as two) the worst case is asked to be at most 1.5 times the median; the program fails where it is more. So it does for
-arms with an elbow: regular poses take a third of what they took, most singular ones less too, and the search for a straight wrist
-that a nearly singular base has bent a little more.
+arms with an elbow: regular poses take less than half the time that they took, most singular ones less too, and the search for a
+straight wrist that a nearly singular base has bent a little more.
 
 ";
 
