@@ -13,6 +13,8 @@ mod monomial;
 mod poly;
 pub mod ring;
 mod show;
+#[cfg(test)]
+mod tests;
 mod turn;
 pub mod vector;
 
