@@ -4,12 +4,59 @@
 
 use kin_runtime::Constraint;
 use kin_runtime::prelude::*;
-use robots::{Irb2400, LabArm, LabRrr, Puma560, Stanford};
+use robots::{Cobra600, Irb2400, LabArm, LabRrr, Orion5, Puma560, Stanford, TwoLink};
+
+dh! {
+    /// No two neighbouring axes of the base meet or are parallel, and joint 2 is coupled to joint 1.
+    pub struct Oblique(standard, m, deg);
+
+    | joint | theta | d    | a    | alpha |
+    |-------|-------|------|------|-------|
+    | J1    | q     | 0.3  | 0.15 | 60    |
+    | J2    | q     | 0.1  | 0.45 | 75    |
+    | J3    | q     | -0.2 | 0.25 | 110   |
+    | J4    | q     | 0.3  | 0    | -80   |
+    | J5    | q     | 0    | 0    | 70    |
+    | J6    | q     | 0.1  | 0    | 0     |
+
+    couple: J2 += J1;
+}
+
+dh! {
+    /// Two slides carry the turn that carries the wrist.
+    pub struct Gantry(standard, m, deg);
+
+    | joint | theta | d   | a   | alpha |
+    |-------|-------|-----|-----|-------|
+    | J1    | 0     | q   | 0.1 | 90    |
+    | J2    | 40    | q   | 0.2 | 55    |
+    | J3    | q     | 0.1 | 0.5 | 90    |
+    | J4    | q     | 0.3 | 0   | -90   |
+    | J5    | q     | 0   | 0   | 90    |
+    | J6    | q     | 0.1 | 0   | 0     |
+}
+
+dh! {
+    /// A shoulder like a ball, an elbow, and a hand of two axes.
+    pub struct Ball(standard, m, deg);
+
+    | joint | theta  | d    | a    | alpha |
+    |-------|--------|------|------|-------|
+    | J1    | q      | 0.3  | 0    | -90   |
+    | J2    | q      | 0    | 0    | 90    |
+    | J3    | q + 90 | 0.4  | 0    | -90   |
+    | J4    | q      | 0    | 0.35 | 0     |
+    | J5    | q      | 0.03 | 0    | 90    |
+    | J6    | q      | 0.08 | 0    | 0     |
+
+    base: Rx(20) Tz(0.5);
+    tool: Tz(0.1) Ry(30);
+}
 
 /// The poses of the figure that all targets must agree on.
 pub const POSES: u32 = 2_000;
-/// The poses of the quick figure, for targets that are interpreted.
-pub const QUICK: u32 = 20;
+/// The poses of the quick figure, for targets that are interpreted: every arm three times.
+pub const QUICK: u32 = 33;
 
 /// A hash that depends on every bit and on the order: multiply and fold, over NaNs made one.
 struct Hash(u64);
@@ -52,6 +99,10 @@ impl Hash {
                     self.numbers([*by]);
                     self.numbers(*theta1);
                 }
+                Slot::Empty(Reason::Orientation { by }) => {
+                    self.word(5);
+                    self.numbers([*by]);
+                }
                 Slot::Empty(_) => self.word(4),
             }
         }
@@ -93,8 +144,8 @@ fn forward<const N: usize>(arm: &impl Arm<N>, q: &Joints<f64, N>, hash: &mut Has
     pose
 }
 
-fn from_pose(arm: &impl InverseKinematics<6>, random: &mut Random, hash: &mut Hash) {
-    let q = random.joints::<6>();
+fn from_pose<const N: usize>(arm: &impl InverseKinematics<N>, random: &mut Random, hash: &mut Hash) {
+    let q = random.joints::<N>();
     let mut pose = forward(arm, &q, hash);
     hash.solutions(&arm.ik(&pose));
     // Out of reach, or just so.
@@ -104,22 +155,28 @@ fn from_pose(arm: &impl InverseKinematics<6>, random: &mut Random, hash: &mut Ha
     hash.solutions(&arm.ik(&pose));
 }
 
-fn from_position(arm: &impl PositionInverse<3>, random: &mut Random, hash: &mut Hash) {
-    let q = random.joints::<3>();
+fn from_position<const N: usize>(arm: &impl PositionInverse<N>, random: &mut Random, hash: &mut Hash) {
+    let q = random.joints::<N>();
     let pose = forward(arm, &q, hash);
     hash.solutions(&arm.ik_position(&Point3 { coords: pose.translation.vector }));
 }
 
-/// The hash of so many poses, each of one of the arms in turn.
+/// The hash of so many poses, each of one of the arms in turn: wrists on every kind of base, a shoulder, two to four joints.
 pub fn hash(poses: u32) -> u64 {
     let (mut random, mut hash) = (Random(1), Hash(0));
     for pose in 0..poses {
-        match pose % 5 {
+        match pose % 11 {
             0 => from_pose(&Puma560, &mut random, &mut hash),
             1 => from_pose(&LabArm, &mut random, &mut hash),
             2 => from_pose(&Irb2400, &mut random, &mut hash),
             3 => from_pose(&Stanford, &mut random, &mut hash),
-            _ => from_position(&LabRrr, &mut random, &mut hash),
+            4 => from_pose(&Oblique, &mut random, &mut hash),
+            5 => from_pose(&Gantry, &mut random, &mut hash),
+            6 => from_pose(&Ball, &mut random, &mut hash),
+            7 => from_pose(&Cobra600, &mut random, &mut hash),
+            8 => from_pose(&Orion5, &mut random, &mut hash),
+            9 => from_position(&LabRrr, &mut random, &mut hash),
+            _ => from_position(&TwoLink, &mut random, &mut hash),
         }
     }
     hash.0
