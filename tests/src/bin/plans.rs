@@ -104,22 +104,26 @@ fn make(wanted: &[(Wanted, Shape)], threads: usize) -> Result<String, Box<dyn Er
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by_key(|index| std::cmp::Reverse(wanted[*index].1.joints().count()));
     let next = AtomicUsize::new(0);
-    let made = Mutex::new(vec![String::new(); wanted.len()]);
+    let made = Mutex::new(vec![None; wanted.len()]);
     thread::scope(|scope| {
         for _ in 0..threads.clamp(1, 256) {
             scope.spawn(|| {
                 while let Some(index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let (wanted, shape) = &wanted[*index];
-                    let text = plan::make(shape, *wanted).unwrap_or_default();
+                    let text = plan::make(shape, *wanted);
                     bar.set_message(format!("{} {shape}", wanted.word()));
                     bar.inc(1);
                     if let Ok(mut made) = made.lock() {
-                        made[*index] = plan::shipped::entry(*wanted, shape, &text);
+                        made[*index] = text.map(|text| plan::shipped::entry(*wanted, shape, &text));
                     }
                 }
             });
         }
     });
     bar.finish_and_clear();
-    Ok(made.into_inner().map_err(|error| error.to_string())?.concat())
+    let made = made.into_inner().map_err(|error| error.to_string())?;
+    let entries = made.into_iter().zip(wanted).map(|(entry, (wanted, shape))| {
+        entry.ok_or_else(|| format!("no plan was found of {} {shape}", wanted.word()))
+    });
+    Ok(entries.collect::<Result<String, String>>()?)
 }
