@@ -2,24 +2,27 @@
 
 use std::collections::BTreeSet;
 
-use kin_gen::plan::Wanted;
 use kin_gen::plan::shape::{Group, Link, Shape};
+use kin_gen::plan::{WANTED, Wanted};
 use kin_gen::report::Report;
 use kin_gen::{chain, decl, model};
 
 use crate::{dh, measured, reference};
 
-/// All of them, in the order of the file: those of `robots`, of the measured arms and of the reference, and what stands
-/// before a wrist, with all lengths.
+/// Structures of common arms that are declared nowhere here: Kinova's Gen3 with seven joints.
+const OTHERS: [&str; 1] = ["d. d. d. d. d. . d."];
+
+/// All of them, in the order of the file: those of `robots`, of the measured arms, of the reference and of other common arms,
+/// and what stands before a wrist, with all lengths.
 pub fn all() -> Vec<(Wanted, Shape)> {
     let tables = measured::robots().into_iter().map(|(_, table)| table.to_owned());
     let tables = tables.chain(measured::ARMS.iter().map(|arm| arm.table.to_owned()));
-    // Plans of more joints take minutes to be found: only those of `robots` and of the measured arms ship.
-    let reference = reference::arms().into_iter().filter(|arm| arm.dof <= 6);
-    let tables = tables.chain(reference.map(|arm| dh::text(&arm)));
+    let tables = tables.chain(reference::arms().into_iter().map(|arm| dh::text(&arm)));
     let mut found: BTreeSet<(Wanted, usize, String)> = BTreeSet::new();
     let declared = tables.flat_map(|table| of_table(&table));
-    for (wanted, shape) in declared.chain(groupings()) {
+    let others = OTHERS.into_iter().filter_map(Shape::parse);
+    let others = others.flat_map(|shape| WANTED.map(|wanted| (wanted, shape.clone())));
+    for (wanted, shape) in declared.chain(others).chain(groupings()) {
         found.insert((wanted, shape.joints().count(), shape.to_string()));
     }
     let parsed = |(wanted, _, shape): (Wanted, usize, String)| Some((wanted, Shape::parse(&shape)?));

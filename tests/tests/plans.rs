@@ -202,6 +202,48 @@ fn a_structure_that_is_not_there_takes_a_larger_one() {
     assert_eq!(plan.shape, "d. xx d. . d.");
 }
 
+/// Common arms of seven joints, as their makers print them, need no style: iiwa, Panda (and xArm7 like it), Sawyer, Gen3.
+#[test]
+fn common_arms_of_seven_joints_have_plans() {
+    let iiwa = "struct Iiwa(standard, m, deg);
+        | joint | theta | d    | a | alpha |
+        | J1    | q     | 0.34 | 0 | -90   |
+        | J2    | q     | 0    | 0 | 90    |
+        | J3    | q     | 0.4  | 0 | 90    |
+        | J4    | q     | 0    | 0 | -90   |
+        | J5    | q     | 0.4  | 0 | -90   |
+        | J6    | q     | 0    | 0 | 90    |
+        | J7    | q     | 0.126 | 0 | 0    |";
+    let xarm = "struct XArm7(modified, m, deg);
+        | joint | alpha | a      | d      | theta |
+        | J1    | 0     | 0      | 0.267  | q     |
+        | J2    | -90   | 0      | 0      | q     |
+        | J3    | 90    | 0      | 0.293  | q     |
+        | J4    | 90    | 0.0525 | 0      | q     |
+        | J5    | 90    | 0.0775 | 0.3425 | q     |
+        | J6    | 90    | 0      | 0      | q     |
+        | J7    | -90   | 0.076  | 0.097  | q     |";
+    let gen3 = "struct Gen3(standard, m, deg);
+        | joint | theta   | d       | a | alpha |
+        | J1    | q       | -0.2848 | 0 | 90    |
+        | J2    | q + 180 | -0.0118 | 0 | 90    |
+        | J3    | q + 180 | -0.4208 | 0 | 90    |
+        | J4    | q + 180 | -0.0128 | 0 | 90    |
+        | J5    | q + 180 | -0.3143 | 0 | 90    |
+        | J6    | q + 180 | 0       | 0 | 90    |
+        | J7    | q + 180 | -0.1674 | 0 | 0     |";
+    let reference = tests::reference::arms().into_iter().filter(|arm| arm.dof == 7);
+    let reference: Vec<String> = reference.map(|arm| tests::dh::text(&arm)).collect();
+    assert!(reference.len() > 4, "iiwa, Panda and Sawyer are among them");
+    let tables = [iiwa, xarm, gen3].into_iter().map(str::to_owned).chain(reference);
+    for table in tables {
+        for (wanted, shape) in tests::structures::of_table(&table) {
+            let own = shipped::find(wanted, &shape).is_some_and(|(_, own)| own);
+            assert!(own, "{} {shape} of\n{table}", wanted.word());
+        }
+    }
+}
+
 /// Arms that differ in convention, signs and the places of their frames have one structure.
 #[test]
 fn one_structure_in_many_conventions() {
