@@ -1,5 +1,7 @@
 //! The solvers against arms that are plain products of matrices: what was put in comes out, wherever the arm stands.
 
+mod targets;
+
 use crate::ik::ACCEPTED;
 use crate::math;
 use crate::pose::{self, Joints, Pose};
