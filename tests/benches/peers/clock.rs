@@ -4,6 +4,7 @@ use crate::Target;
 use crate::data::COUNT;
 use crate::ways::Way;
 use std::fmt::Write;
+use std::ops::Range;
 use std::time::Instant;
 
 /// Rounds; of each stretch of elements the median counts.
@@ -11,17 +12,38 @@ pub(crate) const ROUNDS: usize = 25;
 /// Elements of a stretch, unless a way has longer ones: so few that it is over before the machine turns to something else.
 pub(crate) const STRETCH: usize = 256;
 
+/// What is timed in its turn: so many elements in one go, by a clock of its own.
+pub(crate) struct Turn<'a> {
+    pub(crate) stretch: usize,
+    /// How many nanoseconds these of the elements take.
+    pub(crate) time: Box<dyn FnMut(Range<usize>) -> f64 + 'a>,
+}
+
+impl<'a> From<&'a mut Way> for Turn<'a> {
+    fn from(way: &'a mut Way) -> Self {
+        let time = |which| {
+            let clock = Instant::now();
+            (way.run)(which);
+            clock.elapsed().as_secs_f64() * 1e9
+        };
+        Turn { stretch: way.stretch, time: Box::new(time) }
+    }
+}
+
 /// The median time of one element in nanoseconds, for each way: the mean over all its stretches.
 pub(crate) fn medians(ways: &mut [Way]) -> Vec<f64> {
-    let mut times: Vec<_> = ways.iter().map(|way| vec![[0.0; ROUNDS]; COUNT / way.stretch]).collect();
+    in_turn(ways.iter_mut().map(Turn::from).collect())
+}
+
+/// The same for whatever is timed.
+pub(crate) fn in_turn(mut turns: Vec<Turn<'_>>) -> Vec<f64> {
+    let mut times: Vec<_> = turns.iter().map(|turn| vec![[0.0; ROUNDS]; COUNT / turn.stretch]).collect();
     for round in 0..ROUNDS {
         for start in (0..COUNT).step_by(STRETCH) {
-            for (way, times) in ways.iter_mut().zip(&mut times) {
-                let length = way.stretch;
+            for (turn, times) in turns.iter_mut().zip(&mut times) {
+                let length = turn.stretch;
                 if start.is_multiple_of(length) {
-                    let clock = Instant::now();
-                    (way.run)(start..start + length);
-                    times[start / length][round] = clock.elapsed().as_secs_f64() * 1e9 / length as f64;
+                    times[start / length][round] = (turn.time)(start..start + length) / length as f64;
                 }
             }
         }
@@ -30,9 +52,9 @@ pub(crate) fn medians(ways: &mut [Way]) -> Vec<f64> {
         rounds.sort_by(f64::total_cmp);
         rounds[ROUNDS / 2]
     };
-    let mean = |way: Vec<[f64; ROUNDS]>| {
-        let stretches = way.len();
-        way.into_iter().map(median).sum::<f64>() / stretches as f64
+    let mean = |turn: Vec<[f64; ROUNDS]>| {
+        let stretches = turn.len();
+        turn.into_iter().map(median).sum::<f64>() / stretches as f64
     };
     times.into_iter().map(mean).collect()
 }

@@ -1,4 +1,5 @@
-//! How cost grows: with joints, with solutions, with the length of a batch. Each group beside its own first line.
+//! How cost grows: with joints, with solutions, with the length of a batch, with the size of angles. Each group beside its own
+//! first line.
 
 use crate::clock::STRETCH;
 use crate::data::{COUNT, Data};
@@ -52,8 +53,17 @@ fn point(pose: &Pose<f64>) -> Point3<f64> {
     Point3::from(pose.translation.vector)
 }
 
+/// All groups.
+pub(crate) fn all(data: &Rc<Data>) -> Vec<Way> {
+    let mut ways = joints();
+    ways.extend(solutions());
+    ways.extend(lengths(data));
+    ways.extend(angles());
+    ways
+}
+
 /// By the number of joints.
-pub(crate) fn joints() -> Vec<Way> {
+fn joints() -> Vec<Way> {
     let (fk, both, ik) = ("fk, by joints", "fk and jacobian, by joints", "ik, by joints");
     vec![
         listed(fk, "2", random(), |q| TwoLink.fk(q)),
@@ -80,7 +90,7 @@ pub(crate) fn joints() -> Vec<Way> {
 const FEW: usize = 1000;
 
 /// By the number of solutions that a pose has, of one arm.
-pub(crate) fn solutions() -> Vec<Way> {
+fn solutions() -> Vec<Way> {
     let names = ["0", "1", "2", "3", "4", "5", "6", "7", "8"];
     let mut groups = vec![Vec::new(); names.len()];
     let mut sampler = Sampler::new(20);
@@ -100,7 +110,7 @@ pub(crate) fn solutions() -> Vec<Way> {
 }
 
 /// By the length of the slices that are given.
-pub(crate) fn lengths(data: &Rc<Data>) -> Vec<Way> {
+fn lengths(data: &Rc<Data>) -> Vec<Way> {
     let all = [("1", 1), ("4", 4), ("16", 16), ("64", 64), ("1024", 1024), ("16384", COUNT)];
     let mut ways = Vec::new();
     for (name, length) in all {
@@ -139,4 +149,34 @@ pub(crate) fn lengths(data: &Rc<Data>) -> Vec<Way> {
         ways.push(Way { group: "ik, batches of", name, stretch: length.max(STRETCH), run: Box::new(run) });
     }
     ways
+}
+
+/// By the size of angles: beyond 25,000 rad quarter turns are taken off in integers, with as many bits as it takes.
+fn angles() -> Vec<Way> {
+    let (group, fk) = ("sines and cosines of six angles", "fk, by the size of angles");
+    let list = |draw: fn(&mut Sampler) -> f64, beyond: usize| -> Vec<[f64; 6]> {
+        let mut sampler = Sampler::new(21);
+        let mut six = || -> [f64; 6] {
+            let usual = sampler.angles::<6>();
+            std::array::from_fn(|joint| if joint < beyond { draw(&mut sampler) } else { usual[joint] })
+        };
+        (0..COUNT).map(|_| six()).collect()
+    };
+    let usual = |sampler: &mut Sampler| sampler.between(-25_000.0, 25_000.0);
+    let large = |sampler: &mut Sampler| 25_001.0 + sampler.between(0.0, 1e9);
+    // Every power of two alike.
+    let huge = |sampler: &mut Sampler| f64::from_bits(sampler.bits() % (1000 << 52) + (1043 << 52));
+    let all: [(&str, Vec<[f64; 6]>); 5] = [
+        ("within a turn", list(usual, 0)),
+        ("within 25,000 rad", list(usual, 6)),
+        ("one of them from there to 1e9 rad", list(large, 1)),
+        ("all from there to 1e9 rad", list(large, 6)),
+        ("all from 1e6 to 1e307 rad", list(huge, 6)),
+    ];
+    let joints =
+        |angles: &[[f64; 6]]| angles.iter().copied().map(Joints::from).collect::<Vec<Joints<f64, 6>>>();
+    let arms: Vec<Way> =
+        all.iter().map(|(name, list)| listed(fk, name, joints(list), |q| Irb2400.fk(q))).collect();
+    let sines = |(name, list)| listed(group, name, list, |angles: &[f64; 6]| f64::sin_cos_all(*angles));
+    all.into_iter().map(sines).chain(arms).collect()
 }

@@ -58,14 +58,19 @@ fn chained<I: 'static>(
     Way { group, name, stretch: STRETCH, run: Box::new(run) }
 }
 
-/// All ways; of each group this library's comes first.
-pub(crate) fn all() -> Vec<Way> {
-    let data = &Rc::new(Data::new());
+/// All ways; of each group this library's comes first. Single calls come before batches.
+pub(crate) fn all(data: &Rc<Data>) -> Vec<Way> {
+    let mut ways = single(data);
+    ways.extend(batches::all(data));
+    ways
+}
+
+/// Those of one call for each element.
+pub(crate) fn single(data: &Rc<Data>) -> Vec<Way> {
     peers::agree(&data.q[..500]);
     let mut ways = forward(data);
     ways.extend(differential(data));
     ways.extend(inverse(data));
-    ways.extend(batches::all(data));
     ways
 }
 
