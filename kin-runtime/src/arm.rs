@@ -163,6 +163,16 @@ pub trait InverseKinematics<const N: usize>: Arm<N> {
     /// As [`ik`](InverseKinematics::ik), but a coordinate that the pose leaves free keeps its value in `hold`.
     fn ik_holding<T: Float>(&self, pose: &Pose<T>, hold: &Joints<T, N>) -> Solutions<T, N, Self::Branch>;
 
+    /// [`ik`](InverseKinematics::ik) of each pose, compiled for the instructions that the caller has: for batches. Generated
+    /// arms have several side by side here.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn ik_each<T: Float>(&self, poses: &[Pose<T>], places: &mut [Option<Solutions<T, N, Self::Branch>>]) {
+        for (pose, place) in poses.iter().zip(places) {
+            *place = Some(self.ik(pose));
+        }
+    }
+
     /// The joint values nearest to `q` that bring the tool to `pose`: see
     /// [`ik_near_within`](InverseKinematics::ik_near_within), without limits.
     ///

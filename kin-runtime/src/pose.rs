@@ -1,6 +1,6 @@
 //! Where things are: poses, joint vectors, Jacobians and Euler angles by name.
 
-use crate::math::{self, Float, Real};
+use crate::math::{self, Float, Lanes, Real};
 use core::fmt;
 use nalgebra::{ArrayStorage, IsometryMatrix3, Matrix3, Rotation3, SMatrix, SVector, Translation, Vector3};
 
@@ -153,6 +153,42 @@ pub(crate) fn rows<T: Real>(pose: &Pose<T>) -> ([[T; 3]; 3], [T; 3]) {
     (matrix_rows(pose.rotation.matrix()), position)
 }
 
+/// The same pose in every lane.
+#[inline(always)]
+pub(crate) fn side_by_side<T: Float, const L: usize>(pose: &Pose<T>) -> Pose<Lanes<T, L>> {
+    let ([[a, b, c], [d, e, f], [g, h, i]], [x, y, z]) = rows(pose);
+    let row = |x, y, z| [Lanes::splat(x), Lanes::splat(y), Lanes::splat(z)];
+    from_rows([row(a, b, c), row(d, e, f), row(g, h, i)], row(x, y, z))
+}
+
+/// One of several poses, alone.
+#[inline(always)]
+pub(crate) fn one<T: Float, const L: usize>(poses: &Pose<Lanes<T, L>>, lane: usize) -> Pose<Lanes<T, 1>> {
+    let ([[a, d, g], [b, e, h], [c, f, i]], [[x, y, z]]) =
+        (&poses.rotation.matrix().data.0, &poses.translation.vector.data.0);
+    let row = |x: &Lanes<T, L>, y: &Lanes<T, L>, z: &Lanes<T, L>| [x.one(lane), y.one(lane), z.one(lane)];
+    from_rows([row(a, b, c), row(d, e, f), row(g, h, i)], row(x, y, z))
+}
+
+/// Poses as one whose numbers are lanes.
+#[inline(always)]
+pub(crate) fn gathered<T: Float, const L: usize>(poses: &[Pose<T>; L]) -> Pose<Lanes<T, L>> {
+    let zero = Lanes::splat(T::lit(0.0));
+    let (mut rotation, mut position) = ([[zero; 3]; 3], [zero; 3]);
+    for (lane, pose) in poses.iter().enumerate() {
+        let (rows, point) = rows(pose);
+        for (lanes, values) in rotation.iter_mut().zip(rows) {
+            for (lanes, value) in lanes.iter_mut().zip(values) {
+                lanes.put(lane, value);
+            }
+        }
+        for (lanes, value) in position.iter_mut().zip(point) {
+            lanes.put(lane, value);
+        }
+    }
+    from_rows(rotation, position)
+}
+
 /// A matrix from its rows.
 #[inline(always)]
 pub(crate) fn matrix3<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[T; 3]; 3]) -> Matrix3<T> {
@@ -191,6 +227,7 @@ pub(crate) fn transposed<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: &[[T; 3]; 3
 }
 
 /// The scalar product.
+#[inline(always)]
 pub(crate) fn dot<T: Real>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
     *a * *x + *b * *y + *c * *z
 }

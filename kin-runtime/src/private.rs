@@ -19,6 +19,10 @@ pub enum Known {
     Wrist(usize),
     /// The first three joints alone make it: it is the same for both bends of the wrist.
     Base,
+    /// It is the value of joint 4 or of joint 6.
+    Outer,
+    /// It is the value of joint 5.
+    Bend,
     /// Nothing.
     Nothing,
 }

@@ -9,6 +9,53 @@ use nalgebra::Rotation3;
 use robots::{Cobra600, Irb2400, LabArm, Panda, Planar3, Puma560, Stanford};
 use tests::sample::Sampler;
 
+dh! {
+    /// Every joint has its home somewhere else.
+    pub struct Homed(standard, m, deg);
+
+    | joint | theta  | d   | a    | alpha |
+    |-------|--------|-----|------|-------|
+    | J1    | q + 30 | 0.4 | 0.1  | -90   |
+    | J2    | q - 90 | 0   | 0.45 | 0     |
+    | J3    | q - 20 | 0   | 0.05 | 90    |
+    | J4    | q + 45 | 0.4 | 0    | -90   |
+    | J5    | q - 60 | 0   | 0    | 90    |
+    | J6    | q + 180 | 0.1 | 0   | 0     |
+}
+
+dh! {
+    /// Drives that reach across joints.
+    pub struct Coupled(standard, m, deg);
+
+    | joint | theta | d   | a    | alpha |
+    |-------|-------|-----|------|-------|
+    | J1    | q     | 0.4 | 0.1  | -90   |
+    | J2    | q     | 0   | 0.45 | 0     |
+    | J3    | q     | 0   | 0.05 | 90    |
+    | J4    | q     | 0.4 | 0    | -90   |
+    | J5    | q     | 0   | 0    | 90    |
+    | J6    | q     | 0.1 | 0    | 0     |
+
+    couple: J3 += J2;
+    couple: J6 += J5;
+}
+
+dh! {
+    /// Homes and a length that are known when the program runs.
+    pub struct Open(standard, m, deg);
+
+    param upper = 0.45; param home2 = 90deg; param home5 = 0deg;
+
+    | joint | theta     | d   | a     | alpha |
+    |-------|-----------|-----|-------|-------|
+    | J1    | q         | 0.4 | 0.1   | -90   |
+    | J2    | q + home2 | 0   | upper | 0     |
+    | J3    | q         | 0   | 0.05  | 90    |
+    | J4    | q         | 0.4 | 0     | -90   |
+    | J5    | q + home5 | 0   | 0     | 90    |
+    | J6    | q         | 0.1 | 0     | 0     |
+}
+
 /// Numbers by their bits: 0 is not -0. NaN is NaN: which sign it has no standard says, and no compiler keeps.
 trait Bits: Float {
     fn bits(self) -> u64;
@@ -169,6 +216,55 @@ fn solutions_are_those_of_one_by_one_in_every_set_of_instructions() {
     solved(&Stanford, &mut sampler);
     solved(&LabArm, &mut sampler);
     solved(&Cobra600, &mut sampler);
+}
+
+/// Solutions of poses most of which are far from singular ones, one in three out of a shoulder's reach.
+fn solved_abreast<A, T: Bits>(arm: &A, sampler: &mut Sampler)
+where
+    A: InverseKinematics<6> + Sync,
+    Found<T, 6, A>: Send,
+{
+    let q = |sampler: &mut Sampler| Joints::from(std::array::from_fn(|_| T::lit(sampler.between(-3.0, 3.0))));
+    let mut poses: Vec<Pose<T>> = (0..400).map(|_| arm.fk(&q(sampler))).collect();
+    poses[77].translation.vector.z = T::lit(f64::NAN);
+    poses[78].translation.vector *= T::lit(1e30);
+    for set in Instructions::ALL {
+        let mut solutions = vec![None; poses.len()];
+        Run::new().at_most(set).ik(arm, &poses, &mut solutions).unwrap();
+        for (pose, found) in poses.iter().zip(&solutions) {
+            let (found, alone) = (found.as_ref().unwrap(), arm.ik(pose));
+            // Numbers that are equal and not the same are zeros of different signs.
+            for (found, alone) in found.slots().iter().zip(alone.slots()) {
+                let same = match (found.solution(), alone.solution()) {
+                    (Some(a), Some(b)) => bits(&a.q) == bits(&b.q) && a.residual.bits() == b.residual.bits(),
+                    _ => true,
+                };
+                let (found, alone) = (format!("{found:?}"), format!("{alone:?}"));
+                assert!(same && found == alone, "{}, {set:?}, {pose}: {found} {alone}", A::NAME);
+            }
+        }
+    }
+}
+
+#[test]
+fn poses_abreast_have_the_bits_of_one_by_one() {
+    let mut sampler = Sampler::new(78);
+    solved_abreast::<_, f64>(&Irb2400, &mut sampler);
+    solved_abreast::<_, f32>(&Irb2400, &mut sampler);
+    solved_abreast::<_, f64>(&Puma560, &mut sampler);
+    solved_abreast::<_, f64>(&LabArm, &mut sampler);
+    solved_abreast::<_, f64>(&Homed, &mut sampler);
+    solved_abreast::<_, f32>(&Homed, &mut sampler);
+    solved_abreast::<_, f64>(&Coupled, &mut sampler);
+    solved_abreast::<_, f64>(&Open::NOMINAL, &mut sampler);
+    // Parameters that leave what needs no branch: then poses are solved one by one.
+    let homes = [(1e5, 0.0), (-2.5, 1.0), (1e-17, 3.2), (f64::NAN, 0.0), (0.5, f64::INFINITY)];
+    for (home2, home5) in homes {
+        solved_abreast::<_, f64>(&Open { home2, home5, ..Open::NOMINAL }, &mut sampler);
+    }
+    for upper in [1e120, 1e-120, 0.0, f64::NAN, f64::INFINITY] {
+        solved_abreast::<_, f64>(&Open { upper, ..Open::NOMINAL }, &mut sampler);
+    }
 }
 
 #[test]

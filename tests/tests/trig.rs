@@ -145,3 +145,37 @@ fn lanes_of_every_arm_have_the_bits_that_one_configuration_has() {
     }
     robots::for_each!(arms);
 }
+
+#[test]
+fn what_has_no_branch_has_the_same_bits() {
+    fn same<T: Float>(a: T, b: T) -> bool {
+        format!("{a:?}") == format!("{b:?}")
+    }
+    fn check<T: Float>(sampler: &mut Sampler) {
+        let zero = T::lit(0.0);
+        let sizes = [1e-300, 1e-30, 1e-8, 1.0, 10.0, 1e6];
+        for _ in 0..20_000 {
+            let [x, y] =
+                std::array::from_fn(|_| T::lit(sizes[sampler.below(6)] * sampler.between(-1.0, 1.0)));
+            let y = if sampler.below(20) == 0 { zero } else { y };
+            let angle = if Float::abs(x) > T::lit(6000.0) { y } else { x };
+            if Float::abs(angle) <= T::lit(6000.0) {
+                let ((s, c), (sine, cosine)) = (T::sin_cos_straight(angle), Real::sin_cos(angle));
+                assert!(same(s, sine) && same(c, cosine), "{angle:?}");
+            }
+            for (y, x) in [(y, x), (-y, x), (y, -x), (x, y)] {
+                if x != zero || y != zero {
+                    assert!(same(T::atan2_straight(y, x), Float::atan2(y, x)), "{y:?} {x:?}");
+                }
+            }
+        }
+        let none = T::lit(f64::NAN);
+        assert!(same(T::sin_cos_straight(none).0, none) && same(T::sin_cos_straight(none).1, none));
+        for (y, x) in [(zero, zero), (zero, -zero), (none, zero), (T::lit(1.0), none)] {
+            assert!(same(T::atan2_straight(y, x), none), "{y:?} {x:?}");
+        }
+    }
+    let mut sampler = Sampler::new(91);
+    check::<f64>(&mut sampler);
+    check::<f32>(&mut sampler);
+}

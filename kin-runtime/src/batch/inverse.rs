@@ -31,18 +31,6 @@ where
 
     #[inline(always)]
     fn run(self) {
-        solve(self.arm, self.poses, self.solutions);
-    }
-}
-
-/// The solutions of a chunk of poses: the one place where they are asked for.
-#[inline(always)]
-fn solve<A: InverseKinematics<N>, T: Float, const N: usize>(
-    arm: &A,
-    poses: &[Pose<T>],
-    solutions: &mut [Found<T, N, A>],
-) {
-    for (pose, place) in poses.iter().zip(solutions) {
-        *place = Some(arm.ik(pose));
+        self.arm.ik_each(self.poses, self.solutions);
     }
 }

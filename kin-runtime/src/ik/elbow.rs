@@ -12,7 +12,7 @@
 
 use crate::ik::ElbowBase;
 use crate::ik::base::Placed;
-use crate::ik::wrist::row_length;
+use crate::ik::wrist::row_values;
 use crate::math::{self, Float, Lanes, Real};
 use crate::solutions::{Boundary, Reason};
 
@@ -26,22 +26,31 @@ pub(super) struct Seen<T, const L: usize> {
     v: Lanes<T, L>,
 }
 
-/// Shoulders, each with joint 1 set, and the triangle of the links over what is left.
+/// Shoulders, and the triangle of the links over what is left once joint 1 is set.
+#[derive(Clone, Copy)]
 pub(super) struct Side<T, const L: usize> {
-    /// The row value of joint 1, but for whole turns.
-    first: Lanes<T, L>,
+    /// By how much, at some scale, the links close over the distance beyond the window; not positive where they do not.
+    pub(super) spare: Lanes<T, L>,
+    /// The square of that distance.
+    pub(super) square: Lanes<T, L>,
+    /// The wrist centre in the arm's plane.
+    pub(super) centre: [Lanes<T, L>; 2],
+    /// Sine and cosine, at some length: of the angle of the arm's plane, of half the elbow's bend, and of the angle by which
+    /// the forearm turns the wrist centre with the elbow up.
+    pub(super) plane: [Lanes<T, L>; 2],
+    pub(super) bend: [Lanes<T, L>; 2],
+    pub(super) lean: [Lanes<T, L>; 2],
+    /// Which way the elbow bends where it is up.
+    pub(super) sign: Lanes<T, L>,
+}
+
+/// Placements with the elbow up and with the elbow down.
+#[derive(Clone, Copy)]
+pub(super) struct Elbows<T, const L: usize> {
+    /// Row values, in (-π, π].
+    pub(super) rows: [[Lanes<T, L>; 3]; 2],
     /// The elbow's angle from stretched or folded.
-    pub(super) elbow: Lanes<T, L>,
-    /// Whether the links close over the distance, and by more than the window.
-    pub(super) closes: [bool; L],
-    /// The wrist centre in the arm's plane, and the square of its distance.
-    x: Lanes<T, L>,
-    v: Lanes<T, L>,
-    square: Lanes<T, L>,
-    /// Cosine and sine, at some length, of the angle by which the forearm turns the wrist centre with the elbow up.
-    lean: [Lanes<T, L>; 2],
-    /// The elbow's bend then.
-    bend: Lanes<T, L>,
+    pub(super) margin: Lanes<T, L>,
 }
 
 impl<T: Float, const L: usize> Seen<T, L> {
@@ -74,63 +83,72 @@ impl<T: Float, const L: usize> Side<T, L> {
         let x = along - Lanes::splat(base.a1);
         let square = x * x + v * v;
         let (open, shut) = (sum * sum - square, square - difference * difference);
-        let mut closes = [false; L];
-        let least = (sum + sum) * window;
-        for (closes, spare) in closes.iter_mut().zip((open.least(shut) - least).0) {
-            *closes = spare > zero;
-        }
+        let spare = open.least(shut) - (sum + sum) * window;
         // Where nothing closes these stand for numbers.
         let positive = |x: T| if x > zero { x } else { one };
         let (open, shut) = (open.map(positive), shut.map(positive));
         let width = (open * shut).sqrt();
-        let (rise, run) = (py * along - px * across, px * along + py * across);
-        let [plane, bend] = Lanes::atan2_both([rise, width], [run, shut]);
-        let bend = bend + bend;
         // Seen along z2, a forearm that bends back downwards leaves the elbow up; over the back it is the other way, and
         // so it is where axis 2 points to the other side.
         let sign = if base.twist.0 < zero { side } else { -side };
-        let lean = [upper * (shut + open) + fore * (shut - open), (fore + fore) * width * sign];
-        let ([offset, ..], [reversed, ..]) = (base.offset, base.reversed);
+        let lean = [(fore + fore) * width * sign, upper * (shut + open) + fore * (shut - open)];
         Side {
-            first: row_length(plane, Lanes::splat(offset), reversed),
-            elbow: bend.least(Lanes::splat(math::half_turn::<T>()) - bend),
-            closes,
-            x,
-            v,
+            spare,
             square,
+            centre: [x, v],
+            plane: [py * along - px * across, px * along + py * across],
+            bend: [width, shut],
             lean,
-            bend: sign * bend,
+            sign,
         }
+    }
+
+    /// Whether the links close over the distance, and by more than the window.
+    #[inline(always)]
+    pub(super) fn closes(&self) -> [bool; L] {
+        let mut closes = [false; L];
+        for (closes, spare) in closes.iter_mut().zip(self.spare.0) {
+            *closes = spare > T::lit(0.0);
+        }
+        closes
     }
 
     /// Why the links of this lane do not close, joint 1 being at `t1`; nothing where it is by so little that the wrist centre
     /// may still be at the boundary but for round-off.
     pub(super) fn open(&self, base: &ElbowBase<T>, lane: usize, t1: T, scale: T) -> Option<Reason<T>> {
-        let distance = math::sqrt(self.square.lane(lane));
-        let (beyond, within) =
-            (distance - (base.upper + base.fore), math::abs(base.upper - base.fore) - distance);
-        let (by, boundary) =
-            if beyond > within { (beyond, Boundary::OuterCircle) } else { (within, Boundary::InnerCircle) };
-        (by > T::lit(1e-3) * scale).then(|| Reason::beyond(by, boundary).at(t1))
+        open(base, self.square.lane(lane), t1, scale)
     }
 
-    /// The row values with the elbow up, and with the elbow down, in (-π, π].
+    /// Its placements.
     #[inline(always)]
-    pub(super) fn elbows(&self, base: &ElbowBase<T>) -> [[Lanes<T, L>; 3]; 2] {
-        let ([c, s], [_, o2, o3], [_, r2, r3]) = (self.lean, base.offset, base.reversed);
-        let (x, v) = (self.x, self.v);
+    pub(super) fn elbows(&self, base: &ElbowBase<T>) -> Elbows<T, L> {
+        let ([rise, run], [width, shut], [s, c], [x, v]) = (self.plane, self.bend, self.lean, self.centre);
+        let [plane, bend] = Lanes::directed_both([rise, width], [run, shut]);
         let ([y, z], [a, b]) = ([v * c, x * s], [x * c, v * s]);
-        let [up, down] = Lanes::atan2_both([y - z, y + z], [a + b, a - b]);
-        let row = |figure, offset, reversed| row_length(figure, Lanes::splat(offset), reversed);
-        let [first, up, down, bent, bowed] = Lanes::wrap_all([
-            self.first,
-            row(up, o2, r2),
-            row(down, o2, r2),
-            row(self.bend, o3, r3),
-            row(-self.bend, o3, r3),
-        ]);
-        [[first, up, bent], [first, down, bowed]]
+        let [up, down] = Lanes::directed_both([y - z, y + z], [a + b, a - b]);
+        let bend = bend + bend;
+        let margin = bend.least(Lanes::splat(math::half_turn::<T>()) - bend);
+        let bend = self.sign * bend;
+        let ([o1, o2, o3], [r1, r2, r3]) = (base.offset, base.reversed);
+        let (first, up, down) = (row_values(plane, o1, r1), row_values(up, o2, r2), row_values(down, o2, r2));
+        let (bent, bowed) = (row_values(bend, o3, r3), row_values(-bend, o3, r3));
+        if Lanes::<T, L>::ALONE {
+            return Elbows { rows: [[first, up, bent], [first, down, bowed]], margin };
+        }
+        let [first, up, down, bent, bowed] = Lanes::wrap_all([first, up, down, bent, bowed]);
+        let rows = [[first, up, bent], [first, down, bowed]];
+        Elbows { rows, margin }
     }
+}
+
+/// As [`Side::open`], from the square of the distance.
+pub(super) fn open<T: Float>(base: &ElbowBase<T>, square: T, t1: T, scale: T) -> Option<Reason<T>> {
+    let distance = math::sqrt(square);
+    let (beyond, within) =
+        (distance - (base.upper + base.fore), math::abs(base.upper - base.fore) - distance);
+    let (by, boundary) =
+        if beyond > within { (beyond, Boundary::OuterCircle) } else { (within, Boundary::InnerCircle) };
+    (by > T::lit(1e-3) * scale).then(|| Reason::beyond(by, boundary).at(t1))
 }
 
 /// Of the right shoulder, then the left one: elbow up, then down; none where the triangle does not close, or just touches.
@@ -146,15 +164,15 @@ pub(super) fn both_shoulders<T: Float>(
         return [None; 2];
     }
     let side = Side::new(base, &seen, Lanes([one, -one]), Lanes::splat(window));
-    let [up, down] = side.elbows(base);
+    let Elbows { rows: [up, down], margin } = side.elbows(base);
     let placed = |lane, [t1, t2, t3]: [Lanes<T, 2>; 3]| Placed {
         rows: [t1.lane(lane), t2.lane(lane), t3.lane(lane)],
         shoulder: half,
-        elbow: side.elbow.lane(lane),
+        elbow: margin.lane(lane),
         shoulder_free: false,
         elbow_free: false,
     };
-    let [right, left] = side.closes;
+    let [right, left] = side.closes();
     let of = |lane| [placed(lane, up), placed(lane, down)];
     [right.then(|| of(0)), left.then(|| of(1))]
 }

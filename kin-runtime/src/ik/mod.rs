@@ -5,7 +5,8 @@
 //!   [`quartic`] for its roots.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
-//! * [`spherical_wrist`]: both together, for six-joint arms.
+//! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, in steps
+//!   that know no branch: `elbow` and `bends`, for one pose with its branches as lanes (`side`), in a batch with poses (`abreast`).
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
 //! * [`short`]: poses of arms with two to five joints.
@@ -26,7 +27,9 @@
 //! * [`DOUBTFUL`]: a wrist bent by less than this may do so, and where the first three joints magnify round-off a larger bend;
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
+mod abreast;
 pub mod base;
+mod bends;
 pub mod closest;
 pub mod conic;
 mod elbow;

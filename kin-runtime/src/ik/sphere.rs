@@ -6,6 +6,7 @@
 
 use crate::arm::Arm;
 use crate::ik::base::{Placed, Placements};
+use crate::ik::bends;
 use crate::ik::side::{self, Four};
 use crate::ik::straight::{self, Doubt};
 use crate::ik::target::{Target, accepted};
@@ -230,7 +231,7 @@ impl<T: Float, V: View> Task<'_, T, V> {
     fn tried(&self, plans: [&Plan<T, V::Branch>; 4]) -> ([Four<T>; 6], Four<T>) {
         // Where nothing is to be tried stand zeros.
         let rows = plans.map(|plan| if let Plan::Try(rows, ..) = plan { *rows } else { [T::lit(0.0); 6] });
-        let q = side::commanded(&V::Arm::JOINTS, self.view.command(side::transposed(rows)));
+        let q = bends::commanded(&V::Arm::JOINTS, self.view.command(side::transposed(rows)));
         let reached = self.view.arm().fk(&pose::column(q));
         (q, self.target.missed_by_all(&reached))
     }

@@ -4,12 +4,12 @@
 //! pose ─► wrist centre ─► base figures ─► four (t1, t2, t3) ─► ³R₆ = ⁰R₃ᵀ·R ─► wrist ─► eight (t1 … t6) ─► checked q
 //! ```
 
-use crate::ik::side;
+use crate::ik::abreast::{self, Abreast};
 use crate::ik::sphere::{self, View};
 use crate::ik::target::Target;
 use crate::ik::wrist::Wrist;
-use crate::ik::{Base, finite, sliding};
-use crate::math::{Float, Real};
+use crate::ik::{Base, finite, side, sliding};
+use crate::math::{self, Float, Real};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
 use crate::solutions::{ArmPosture, Bend, Free, Loose, Margins, Posture, Reason, Solutions};
@@ -27,6 +27,69 @@ pub fn solve_holding<T: Float, A: SolveWrist<6>>(
     hold: &Joints<T, 6>,
 ) -> Solutions<T, 6, Posture> {
     solve_choosing(arm, pose, finite(arm.rows(pose::entries(hold))))
+}
+
+/// All solutions of many poses, for batches: side by side where the arm has an elbow and an orthogonal wrist.
+#[inline(always)]
+pub fn solve_each<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    poses: &[Pose<T>],
+    places: &mut [Option<Solutions<T, 6, Posture>>],
+) {
+    // Where loops do not become vectors, branches side by side are faster. The constants of the base are looked at elsewhere,
+    // so that they stay known to the compiler here.
+    if math::ROOT_IS_VISIBLE
+        && is_usual::<T, A>(arm)
+        && let (Base::Elbow(base), Some(offsets)) = (arm.base::<T>(), arm.orthogonal_wrist::<T>())
+    {
+        let (chunks, rest) = poses.as_chunks::<ABREAST>();
+        let (chunks_of_places, rest_of_places) = places.as_chunks_mut::<ABREAST>();
+        let mut abreast = Abreast::new();
+        for (poses, places) in chunks.iter().zip(chunks_of_places) {
+            abreast.solve(arm, &base, &offsets, poses, places);
+            // What is near a singular pose, or out of reach, comes by itself.
+            for (pose, place) in poses.iter().zip(places).filter(|(_, place)| place.is_none()) {
+                *place = Some(solve(arm, pose));
+            }
+        }
+        one_by_one(arm, rest, rest_of_places);
+    } else {
+        one_by_one(arm, poses, places);
+    }
+}
+
+/// Whether the constants of an arm are of a size for which nothing needs a branch: offsets for
+/// [`row_values`](crate::ik::wrist), turns for sines, lengths so that no product of three overflows.
+#[inline(never)]
+fn is_usual<T: Float, A: SolveWrist<6>>(arm: &A) -> bool {
+    let base = arm.base::<T>();
+    let (Base::Elbow(elbow), Some(wrist)) = (&base, arm.orthogonal_wrist::<T>()) else { return false };
+    let (zero, none) = (T::lit(0.0), [T::lit(0.0); 6]);
+    let offset = |offset: &T| {
+        let size = math::abs(*offset);
+        size == zero || (size >= T::lit(64.0) * T::EPS && size <= math::half_turn())
+    };
+    let turn = |turn: &T| math::abs(*turn) <= T::lit(1e3);
+    let longest = elbow.reach / T::EPS;
+    A::WRIST_TURNS <= abreast::TURNS
+        && Target::new(&Pose::identity(), &base).is_ok()
+        && elbow.offset.iter().chain(&wrist.offset).all(offset)
+        && arm.wrist_turns([zero; 3]).iter().chain(&arm.fk_turns(&pose::column(none))).all(turn)
+        && math::is_finite(longest * longest * longest * T::lit(64.0))
+}
+
+/// Poses abreast in a batch: a register of the widest machines.
+const ABREAST: usize = 8;
+
+#[inline(always)]
+fn one_by_one<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    poses: &[Pose<T>],
+    places: &mut [Option<Solutions<T, 6, Posture>>],
+) {
+    for (pose, place) in poses.iter().zip(places) {
+        *place = Some(solve(arm, pose));
+    }
 }
 
 fn solve_choosing<T: Float, A: SolveWrist<6>>(

@@ -1,7 +1,7 @@
 //! The pose to be reached: whether it can be asked for at all, and whether joint values reach it.
 
 use crate::ik::{ACCEPTED, Base};
-use crate::math::{self, Float, Lanes};
+use crate::math::{self, Float, Lanes, Real};
 use crate::pose::{self, Pose};
 use crate::solutions::{Boundary, Reason};
 
@@ -118,8 +118,14 @@ pub fn distance<T: Float>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
 }
 
 /// Whether a residual is round-off.
+#[inline(always)]
+pub(crate) fn is_accepted<T: Float>(residual: T) -> bool {
+    residual <= T::lit(ACCEPTED) * T::EPS
+}
+
+/// A residual that is round-off, or why there is no solution.
 pub fn accepted<T: Float>(residual: T) -> Result<T, Reason<T>> {
-    if residual <= T::lit(ACCEPTED) * T::EPS {
+    if is_accepted(residual) {
         return Ok(residual);
     }
     // The pose is finite and so are the figures: what else spoils the residual are numbers of the arm beyond them.
@@ -141,11 +147,40 @@ pub(crate) fn orthonormal<T: Float>(r: [[T; 3]; 3]) -> Result<[[T; 3]; 3], Reaso
 /// Whether a matrix is a rotation to the last bits: nothing that is not a number is.
 #[inline(always)]
 fn is_rotation<T: Float>(r: &[[T; 3]; 3]) -> bool {
-    let [x, y, z] = r;
-    let round_off = T::lit(4.0) * T::EPS;
-    let [a, b, c] = [x, y, z].map(|row| math::abs(T::lit(1.0) - pose::dot(row, row)) <= round_off);
-    let [d, e, f] = [(x, y), (y, z), (z, x)].map(|(a, b)| math::abs(pose::dot(a, b)) <= round_off);
-    (a & b & c) & (d & e & f) & (pose::dot(x, &cross(y, z)) > T::lit(0.0))
+    let ([a, b, c, d, e, f], determinant) = defects(r);
+    let small = |defect| math::abs(defect) <= T::lit(ROUNDED) * T::EPS;
+    (small(a) & small(b) & small(c)) & (small(d) & small(e) & small(f)) & (determinant > T::lit(0.0))
+}
+
+/// The entries of 1 - RRᵀ of a rotation that is one to the last bits, in units of ε.
+const ROUNDED: f64 = 4.0;
+
+/// What the rows of a matrix miss to be of length 1 and at right angles, and its determinant.
+#[inline(always)]
+fn defects<T: Real>([x, y, z]: &[[T; 3]; 3]) -> ([T; 6], T) {
+    let short = |row| T::lit(1.0) - pose::dot(row, row);
+    let oblique = [pose::dot(x, y), pose::dot(y, z), pose::dot(z, x)];
+    let [d, e, f] = oblique;
+    ([short(x), short(y), short(z), d, e, f], pose::dot(x, &cross(y, z)))
+}
+
+/// The sizes against which poses side by side are judged, and what is 0 where [`Target::for_reach`] takes the pose as it is.
+#[inline(always)]
+pub(crate) fn judged<T: Float, const L: usize>(
+    pose: &Pose<Lanes<T, L>>,
+    reach: T,
+) -> (Lanes<T, L>, Lanes<T, L>) {
+    let (rotation, [x, y, z]) = pose::rows(pose);
+    let (x, y, z) = (x.abs(), y.abs(), z.abs());
+    let (largest, sum) = (x.greatest(y).greatest(z), x + y + z);
+    let mut refused = largest.unless(|largest| largest * T::EPS <= reach);
+    // The largest lets go of what is not a number; the sum does not.
+    refused = refused + sum.unless(|sum| sum < T::lit(f64::INFINITY));
+    let (defects, determinant) = defects(&rotation);
+    for defect in defects {
+        refused = refused + defect.unless(|defect| math::abs(defect) <= T::lit(ROUNDED) * T::EPS);
+    }
+    (largest.greatest(Lanes::splat(reach)), refused + determinant.unless(|volume| volume > T::lit(0.0)))
 }
 
 /// As [`orthonormal`], for a matrix of any numbers.
@@ -192,6 +227,7 @@ fn gap<T: Float>(r: &[[T; 3]; 3]) -> ([[T; 3]; 3], T) {
     (gap, defect)
 }
 
-fn cross<T: Float>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> [T; 3] {
+#[inline(always)]
+fn cross<T: Real>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> [T; 3] {
     [*b * *z - *c * *y, *c * *x - *a * *z, *a * *y - *b * *x]
 }

@@ -30,6 +30,12 @@ pub(super) fn atan2(y: f64, x: f64) -> f64 {
     if is_usual(y, x) { usual(y, x) } else { unusual(y, x) }
 }
 
+/// The same bits without a branch, where the sum of the coordinates is a number; NaN for the zero vector.
+#[inline(always)]
+pub(super) fn straight(y: f64, x: f64) -> f64 {
+    usual(y, x)
+}
+
 /// Angles side by side, each with the bits that [`atan2`] gives.
 #[inline(always)]
 pub(super) fn atan2_each(angles: &mut [f64], x: &[f64]) {

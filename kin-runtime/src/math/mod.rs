@@ -9,6 +9,7 @@
 //! sine ◄ remainder      sine and cosine; what is left of a huge angle
 //! angle                 the angle of a plane vector
 //! root                  square roots
+//! wrap                  angles in (-π, π]
 //! lanes                 many numbers as one
 //! ```
 //!
@@ -20,8 +21,12 @@ mod lanes;
 mod remainder;
 mod root;
 mod sine;
+mod wrap;
 
 pub use lanes::Lanes;
+pub(crate) use root::VISIBLE as ROOT_IS_VISIBLE;
+pub use wrap::{half_turn, wrap, wrap_all};
+pub(crate) use wrap::{without_minus_half, wrap_down, wrap_up};
 
 use core::fmt::LowerExp;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -84,6 +89,20 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
             *y = Float::atan2(*y, *x);
         }
     }
+    /// Sine and cosine without a branch: the bits of [`sin_cos`](Real::sin_cos) for angles of less than a thousand turns and
+    /// NaN for NaN; of others, nothing of meaning.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sin_cos_straight(x: Self) -> (Self, Self) {
+        Real::sin_cos(x)
+    }
+    /// The angle of the plane vector (x, y) without a branch: the bits of [`atan2`](Float::atan2) where |x| + |y| is a number
+    /// and not zero, NaN for NaN and for the zero vector; of others, nothing of meaning.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn atan2_straight(y: Self, x: Self) -> Self {
+        Float::atan2(y, x)
+    }
     /// The absolute value: the same number without its sign.
     fn abs(self) -> Self;
     /// √(x² + y²) without overflow on the way.
@@ -124,6 +143,14 @@ impl Float for f64 {
     #[inline(always)]
     fn atan2_each(y: &mut [Self], x: &[Self]) {
         angle::atan2_each(y, x);
+    }
+    #[inline(always)]
+    fn sin_cos_straight(x: Self) -> (Self, Self) {
+        sine::straight(x)
+    }
+    #[inline(always)]
+    fn atan2_straight(y: Self, x: Self) -> Self {
+        angle::straight(y, x)
     }
     #[inline]
     fn abs(self) -> Self {
@@ -195,6 +222,15 @@ impl Float for f32 {
         let mut angles = wide(y);
         angle::atan2_each(&mut angles, &wide(x));
         narrow(angles)
+    }
+    #[inline(always)]
+    fn sin_cos_straight(x: Self) -> (Self, Self) {
+        let (sine, cosine) = sine::straight(f64::from(x));
+        (sine as f32, cosine as f32)
+    }
+    #[inline(always)]
+    fn atan2_straight(y: Self, x: Self) -> Self {
+        angle::straight(f64::from(y), f64::from(x)) as f32
     }
     #[inline]
     fn abs(self) -> Self {
@@ -273,119 +309,4 @@ pub fn is_finite<T: Float>(x: T) -> bool {
 /// Whether a number is not a number: the only value that is not at least, and not at most, itself.
 pub fn is_nan<T: Float>(x: T) -> bool {
     x.partial_cmp(&x).is_none()
-}
-
-/// Half a turn, π rounded.
-#[inline(always)]
-pub fn half_turn<T: Float>() -> T {
-    T::TURN.0 * T::lit(0.5)
-}
-
-/// The same angle in (-π, π].
-///
-/// The turn is taken off in two parts, so that an angle within a few turns keeps its last bit. An angle of more
-/// than a million turns has no meaningful last bits; it still gives a value of the range. NaN and infinities give NaN.
-pub fn wrap<T: Float>(angle: T) -> T {
-    let half = half_turn::<T>();
-    if angle > -half && angle <= half {
-        return angle;
-    }
-    let turns = Float::floor((angle + half) / T::TURN.0);
-    if abs(turns) >= T::lit(1e6) || is_nan(turns) {
-        let (s, c) = Real::sin_cos(angle);
-        return into_range(Float::atan2(s, c));
-    }
-    into_range((angle - turns * T::TURN.0) - turns * T::TURN.1)
-}
-
-/// The same angles in (-π, π], side by side.
-#[inline(always)]
-pub fn wrap_all<T: Float, const L: usize>(angles: [T; L]) -> [T; L] {
-    if in_range(&angles) { angles } else { wrapped(angles) }
-}
-
-/// As [`wrap_all`], where it has something to do.
-#[inline(never)]
-fn wrapped<T: Float, const L: usize>(mut angles: [T; L]) -> [T; L] {
-    let all = angles;
-    for angle in &mut angles {
-        *angle = within_a_turn(*angle);
-    }
-    if !in_range(&angles) {
-        for (angle, from) in angles.iter_mut().zip(all) {
-            *angle = wrap(from);
-        }
-    }
-    angles
-}
-
-/// Whether all angles are in (-π, π]; without an early return, which is a branch for each lane.
-#[inline(always)]
-fn in_range<T: Float, const L: usize>(angles: &[T; L]) -> bool {
-    let half = half_turn::<T>();
-    let mut all = true;
-    for angle in angles {
-        all &= (*angle > -half) & (*angle <= half);
-    }
-    all
-}
-
-/// The same angle in (-π, π], if it is within a turn and a half: as [`into_range`], without a branch.
-#[inline(always)]
-fn within_a_turn<T: Float>(angle: T) -> T {
-    let half = half_turn::<T>();
-    let (back, forth) = ((angle - T::TURN.0) - T::TURN.1, (angle + T::TURN.0) + T::TURN.1);
-    let back = if back > -half { back } else { half };
-    let forth = if forth <= half { forth } else { half };
-    let least = if angle <= -half { forth } else { angle };
-    if angle > half { back } else { least }
-}
-
-/// Puts an angle that round-off left at or just beyond the ends of (-π, π] back into it.
-fn into_range<T: Float>(angle: T) -> T {
-    let half = half_turn::<T>();
-    if angle > half {
-        let back = (angle - T::TURN.0) - T::TURN.1;
-        if back > -half { back } else { half }
-    } else if angle <= -half {
-        let back = (angle + T::TURN.0) + T::TURN.1;
-        if back <= half { back } else { half }
-    } else {
-        angle
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use core::f64::consts::PI;
-
-    #[test]
-    fn wrapping_keeps_the_angle_and_its_range() {
-        for k in -40..=40 {
-            let x = 0.1 * f64::from(k);
-            let y = wrap(x);
-            assert!(y > -PI && y <= PI);
-            assert!((libm::sin(x) - libm::sin(y)).abs() < 1e-15);
-            assert!((libm::cos(x) - libm::cos(y)).abs() < 1e-15);
-        }
-        assert_eq!(wrap(-PI), PI);
-        assert_eq!(wrap(PI), PI);
-        // 10 - 4π to the last bit, though 4π is not a double.
-        assert_eq!(wrap(10.0), -2.566_370_614_359_173);
-        assert!(wrap(f64::NAN).is_nan() && wrap(f64::INFINITY).is_nan());
-        let (half, mut bits) = (core::f32::consts::PI, 1_u32);
-        for _ in 0..1_000_000 {
-            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            let y = wrap(f32::from_bits(bits));
-            assert!(y.is_nan() || (y > -half && y <= half));
-        }
-    }
-
-    #[test]
-    fn the_turn_is_two_pi_in_two_parts() {
-        assert!((f64::from(f32::TURN.0) + f64::from(f32::TURN.1) - 2.0 * PI).abs() < 1e-13);
-        // sin(2π rounded) = -(what is left), to full precision
-        assert!((libm::sin(f64::TURN.0) + f64::TURN.1).abs() < 1e-30);
-    }
 }

@@ -19,3 +19,6 @@ pub(super) fn double(x: f64) -> f64 {
 pub(super) fn single(x: f32) -> f32 {
     pulp::Simd::sqrt_f32s(pulp::Scalar::new(), x)
 }
+
+/// Whether compilers see a root, so that a loop with one can become a loop over vectors.
+pub(crate) const VISIBLE: bool = cfg!(all(feature = "std", target_arch = "x86_64", any(unix, windows)));

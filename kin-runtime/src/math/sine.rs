@@ -40,6 +40,12 @@ pub(super) fn sin_cos(x: f64) -> (f64, f64) {
     if is_usual(x) { usual(x) } else { unusual(x) }
 }
 
+/// The same bits without a branch, for angles of usual size; NaN for what is none.
+#[inline(always)]
+pub(super) fn straight(x: f64) -> (f64, f64) {
+    usual(x)
+}
+
 /// Sines and cosines side by side, each with the bits that [`sin_cos`] gives; with the instructions of the caller.
 #[inline(always)]
 pub(super) fn sin_cos_lanes<const L: usize>(angles: [f64; L]) -> ([f64; L], [f64; L]) {

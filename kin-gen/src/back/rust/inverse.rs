@@ -107,7 +107,11 @@ impl Printer<'_> {
         match wrist.iter().position(|known| known == turn) {
             Some(known) => format!("Wrist({known})"),
             None if turn.joints.iter().all(|(_, joint)| *joint < 3) => "Base".to_owned(),
-            None => "Nothing".to_owned(),
+            None => match (turn.joints.as_slice(), turn.rest == Turn::default().rest) {
+                ([(1, 3 | 5)], true) => "Outer".to_owned(),
+                ([(1, 4)], true) => "Bend".to_owned(),
+                _ => "Nothing".to_owned(),
+            },
         }
     }
 
@@ -213,6 +217,7 @@ impl Printer<'_> {
         self.entry(text, &entry);
     }
 
+    /// The trait through which an inverse is called.
     fn entry(&self, text: &mut String, entry: &Entry) {
         let (arm, krate, n) = (&self.arm.name, self.krate, self.count());
         let Entry { name, branch, method, given, solver } = *entry;
@@ -225,7 +230,14 @@ impl Printer<'_> {
         line!(text, "fn {method}<T: {krate}::Float>(&self, {argument}) -> {solutions} {{");
         line!(text, "{krate}::ik::{solver}::solve(self, {asked})\n}}");
         line!(text, "fn {method}_holding<T: {krate}::Float>(&self, {argument}, {hold}) -> {solutions} {{");
-        line!(text, "{krate}::ik::{solver}::solve_holding(self, {asked}, hold)\n}}\n}}");
+        line!(text, "{krate}::ik::{solver}::solve_holding(self, {asked}, hold)\n}}");
+        if solver == "spherical_wrist" {
+            line!(text, "#[doc(hidden)]\n#[inline(always)]");
+            line!(text, "fn {method}_each<T: {krate}::Float>(&self, poses: &[{krate}::Pose<T>],");
+            line!(text, "places: &mut [::core::option::Option<{solutions}>]) {{");
+            line!(text, "{krate}::ik::{solver}::solve_each(self, poses, places)\n}}");
+        }
+        line!(text, "}}");
     }
 
     /// The sentence for whoever asks an arm that has no inverse.
