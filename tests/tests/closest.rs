@@ -6,7 +6,6 @@ use kin_runtime::prelude::*;
 use kin_runtime::private::{SolvePosition, SolveWrist};
 use kin_runtime::{JointKind, Reason};
 use robots::{Irb2400, Kr6R700, LabArm, LabRrr, Puma560, Stanford};
-use tests::reliability::subject::Bits;
 use tests::sample::Sampler;
 use tests::skew::Skew;
 
@@ -185,22 +184,22 @@ fn an_oblique_wrist_turns_the_tool_as_little_as_it_must() {
 }
 
 /// A position arm, in both number formats.
-fn point<T: Bits, A: SolvePosition<3> + PositionInverse<3>>(arm: &A, tolerance: f64) {
+fn point<T: Float + Into<f64>, A: SolvePosition<3> + PositionInverse<3>>(arm: &A, tolerance: f64) {
     let mut random = Sampler::new(54);
     let mut beyond = 0;
     for _ in 0..200 / SHARE {
         let wide = around(arm.reach(), &mut random).translation.vector;
-        let p = Point3::from(wide.map(T::rounded));
+        let p = Point3::from(wide.map(T::lit));
         let closest = arm.closest_point(&p).expect("a point");
         assert!(!arm.ik_position(&Point3::from(closest.pose.translation.vector)).is_empty(), "{closest:?}");
-        let by = closest.by.wide();
+        let by: f64 = closest.by.into();
         if arm.ik_position(&p).is_empty() {
             beyond += 1;
             let from_rows = |rows: &[f64; 3]| {
                 let q: Joints<f64, 3> = Joints::from(arm.command(*rows));
                 arm.tool_point(&Point3::from(arm.fk(&q).translation.vector))
             };
-            let centre = arm.tool_point(&Point3::from(p.coords.map(|x| x.wide())));
+            let centre = arm.tool_point(&Point3::from(p.coords.map(Into::into)));
             let least = searched(arm, from_rows, centre, &mut random);
             assert!(by - least < tolerance * arm.reach() && least - by < 1e-3 * arm.reach(), "{by} {least}");
         } else {
