@@ -18,6 +18,7 @@ pub mod dh;
 pub mod dual;
 pub mod expression;
 pub mod interpreted;
+pub mod invented;
 pub mod markup;
 pub mod measured;
 pub mod mirrored;

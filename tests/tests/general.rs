@@ -5,51 +5,8 @@ use std::f64::consts::PI;
 
 use kin_runtime::math;
 use kin_runtime::prelude::*;
+use tests::invented::{Meeting, ParallelA, PrrA, Skew, Sliding, Square};
 use tests::sample::Sampler;
-use tests::skew::Skew;
-
-dh! {
-    /// Neighbouring axes at right angles, and the arm cuspidal: joints 1 to 3 can change from one solution to another without a
-    /// singular pose between.
-    pub struct Square(standard, m, deg);
-
-    | joint | theta | d   | a   | alpha |
-    |-------|-------|-----|-----|-------|
-    | J1    | q     | 0   | 1   | -90   |
-    | J2    | q     | 1   | 2   | 90    |
-    | J3    | q     | 0   | 1.5 | -90   |
-    | J4    | q     | 0   | 0   | 90    |
-    | J5    | q     | 0   | 0   | -90   |
-    | J6    | q     | 0.1 | 0   | 0     |
-}
-
-dh! {
-    /// Axes 1 and 2 meet.
-    pub struct Meeting(standard, mm, deg);
-
-    | joint | theta  | d   | a   | alpha |
-    |-------|--------|-----|-----|-------|
-    | J1    | q      | 400 | 0   | 90    |
-    | J2    | q + 30 | 150 | 500 | 70    |
-    | J3    | q      | 100 | 200 | 90    |
-    | J4    | q      | 300 | 0   | -90   |
-    | J5    | q      | 0   | 0   | 90    |
-    | J6    | q      | 100 | 0   | 0     |
-}
-
-dh! {
-    /// Joint 2 slides between two that turn.
-    pub struct Sliding(standard, m, deg);
-
-    | joint | theta | d   | a    | alpha |
-    |-------|-------|-----|------|-------|
-    | J1    | q     | 0.3 | 0.2  | 60    |
-    | J2    | 35    | q   | 0.3  | 70    |
-    | J3    | q     | 0.2 | 0.35 | 90    |
-    | J4    | q     | 0.3 | 0    | -90   |
-    | J5    | q     | 0   | 0    | 90    |
-    | J6    | q     | 0.1 | 0    | 0     |
-}
 
 fn slides<A: Arm<6>>(joint: usize) -> bool {
     A::JOINTS[joint].kind == kin_runtime::JointKind::Prismatic
@@ -236,6 +193,42 @@ fn meeting_axes_come_back_in_both_precisions() {
 #[test]
 fn a_slide_between_comes_back_in_both_precisions() {
     comes_back(&Sliding, 7);
+}
+
+/// The point passes axis 2 at 10⁻ᵏ: round-off leaves nothing of the square of that distance, but the pose still tells the direction.
+#[test]
+fn beside_axis_2_joints_come_back() {
+    let (arm, mut random) = (ParallelA, Sampler::new(11));
+    // Where the wrist centre, √0.18 from axis 3, lies on axis 2.
+    let on_axis = (-0.4 / 0.18_f64.sqrt()).acos() - 0.25 * PI;
+    for k in 4..=13 {
+        for side in [1.0, -1.0] {
+            let off = side * 10f64.powi(-k);
+            let q = joints![random.between(-PI, PI), random.between(-PI, PI), on_axis + off, 0.4, 0.9, 0.3];
+            let solutions = arm.ik(&arm.fk(&q));
+            let near = |s: &&Solution<f64, 6, Posture>| {
+                let [one, two, three] = [0, 1, 2].map(|i| math::wrap(s.q[i] - q[i]).abs());
+                one < 1e-9 && three < 1e-9 && two < 1e3 * f64::EPSILON / off.abs()
+            };
+            assert!(solutions.iter().any(|s| near(&s)), "{k} {side} {q}\n{solutions}");
+        }
+    }
+}
+
+/// At a double root whose figure round-off has opened, the joints that are lost are sought along the direction that is.
+#[test]
+fn double_roots_that_round_off_has_opened_come_back() {
+    let bits = [
+        0xbfb8_f984_cc19_a7e0_u64,
+        0xbff0_d6f6_aa86_60d0,
+        0xc003_5764_2713_1aa1,
+        0x4001_06ee_1f02_44fc,
+        0x3fe9_0454_27c2_f718,
+        0xbfd8_8d30_33d3_2e88,
+    ];
+    let q = Joints::from(bits.map(f64::from_bits));
+    let solutions = PrrA.ik(&PrrA.fk(&q));
+    assert!(solutions.iter().any(|s| apart(&PrrA, &s.q, &q) < 1e-6), "{solutions}");
 }
 
 dh! {

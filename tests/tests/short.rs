@@ -6,38 +6,8 @@ use std::f64::consts::PI;
 use kin_runtime::prelude::*;
 use kin_runtime::{Boundary, DynArm, DynOutcome, JointKind, Singularity, math};
 use nalgebra::{SMatrix, Vector6};
+use tests::invented::*;
 use tests::sample::Sampler;
-
-/// Declares arms of one table each: name, header and rows.
-macro_rules! arms {
-    ($($Arm:ident $unit:ident { $($table:tt)* })*) => { $(dh! {
-        /// An arm of a few joints.
-        pub struct $Arm(standard, $unit, deg);
-        $($table)*
-    })* };
-}
-
-arms! {
-    PlanarRr m { | theta | d | a | alpha | | q | 0.2 | 0.5 | 0 | | q | 0 | 0.4 | 0 | }
-    PlanarRrOffset mm { | theta | d | a | alpha | | q + 30 | 200 | 300 | 180 | | q | 50 | 450 | 20 | base: Rx(40) Tz(100); tool: Tx(20) Ry(15); }
-    SpatialRr m { | theta | d | a | alpha | | q | 0.2 | 0.5 | 90 | | q | 0.1 | 0.4 | 0 | }
-    SkewRr m { | theta | d | a | alpha | | q | 0.2 | 0.3 | 55 | | q - 20 | 0.1 | 0.5 | 30 | tool: Tz(0.1); }
-    PolarRp m { | theta | d | a | alpha | | q | 0.2 | 0.1 | 90 | | 0 | q | 0 | 0 | tool: Tx(0.1); }
-    SkewRp m { | theta | d | a | alpha | | q | 0.2 | 0.3 | 60 | | 30 | q | 0.2 | 0 | }
-    SlidePr m { | theta | d | a | alpha | | 20 | q | 0.3 | 90 | | q | 0.1 | 0.4 | 0 | }
-    SkewPr m { | theta | d | a | alpha | | 0 | q | 0.2 | 40 | | q | 0 | 0.5 | 15 | }
-    PlanarRrr m { | theta | d | a | alpha | | q | 0.1 | 0.5 | 0 | | q | 0 | 0.4 | 180 | | q | 0 | 0.2 | 0 | }
-    PlanarRrp m { | theta | d | a | alpha | | q | 0.1 | 0.2 | 90 | | 0 | q | 0.1 | -90 | | q | 0.1 | 0.3 | 0 | }
-    SkewRrr m { | theta | d | a | alpha | | q | 0.3 | 0.15 | 60 | | q | 0.1 | 0.45 | 75 | | q | -0.2 | 0.25 | 10 | }
-    ScaraRrpr m { | theta | d | a | alpha | | q | 0.4 | 0.35 | 0 | | q + 10 | 0 | 0.25 | 180 | | 0 | q | 0.05 | 0 | | q | 0.1 | 0.02 | 0 | }
-    ScaraRrrp mm { | theta | d | a | alpha | | q | 400 | 350 | 0 | | q | 0 | 250 | 0 | | q - 15 | 30 | 50 | 180 | | 25 | q | 0 | 10 | }
-    ScaraPrrr m { | theta | d | a | alpha | | 0 | q | 0.1 | 0 | | q | 0 | 0.3 | 0 | | q | 0 | 0.25 | 0 | | q | 0.1 | 0.05 | 0 | }
-    WaistRrrr m { | theta | d | a | alpha | | q | 0.3 | 0.05 | 90 | | q | 0 | 0.4 | 0 | | q | 0 | 0.35 | 0 | | q | 0 | 0.1 | 0 | tool: Ry(90); }
-    SkewRrrr m { | theta | d | a | alpha | | q | 0.3 | 0.15 | 60 | | q | 0.1 | 0.45 | 75 | | q | -0.2 | 0.25 | 50 | | q | 0.1 | 0.1 | 0 | }
-    RollRrrrr m { | theta | d | a | alpha | | q | 0.3 | 0.05 | 90 | | q | 0 | 0.4 | 0 | | q | 0 | 0.35 | 0 | | q + 90 | 0 | 0 | 90 | | q | 0.15 | 0 | 0 | }
-    SkewRrrrr m { | theta | d | a | alpha | | q | 0.3 | 0.15 | 60 | | q | 0.1 | 0.45 | 75 | | q | -0.2 | 0.25 | 50 | | q | 0.2 | 0 | 65 | | q | 0.15 | 0.1 | 0 | base: Ry(25); }
-    SlidingRrprr m { | theta | d | a | alpha | | q | 0.3 | 0 | 90 | | q | 0.1 | 0 | 90 | | 0 | q | 0 | 0 | | q | 0 | 0 | -70 | | q | 0.2 | 0.05 | 0 | }
-}
 
 fn slides<const N: usize, A: Arm<N>>(joint: usize) -> bool {
     A::JOINTS[joint].kind == JointKind::Prismatic
@@ -258,6 +228,26 @@ fn poses_of_five_joints_come_back() {
     assert!(poses(&SlidingRrprr, 29) >= 25);
 }
 
+/// Folded onto an axis but for 10⁻ᵏ: where the point is says next to nothing of the joint, the orientation says everything.
+#[test]
+fn beside_an_axis_the_orientation_tells_its_joint() {
+    let mut random = Sampler::new(30);
+    for k in 4..=13 {
+        for _ in 0..20 {
+            let folded = PI - 10f64.powi(-k);
+            let [one, two] = random.angles::<2>();
+            let q = joints![one, two, folded];
+            let solutions = robots::LabRrr.ik(&robots::LabRrr.fk(&q));
+            let near = solutions.nearest(&q).map(|s| apart(&robots::LabRrr, &s.q, &q));
+            assert!(near.is_some_and(|near| near < 1e-9), "{k} {q}\n{solutions}");
+            let q = joints![one, folded];
+            let solutions = robots::TwoLink.ik(&robots::TwoLink.fk(&q));
+            let near = solutions.nearest(&q).map(|s| apart(&robots::TwoLink, &s.q, &q));
+            assert!(near.is_some_and(|near| near < 1e-9), "{k} {q}\n{solutions}");
+        }
+    }
+}
+
 #[test]
 fn what_is_off_the_surface_says_by_how_much() {
     let q = joints![0.4, 0.9];
@@ -327,18 +317,6 @@ fn a_point_on_the_first_axis_takes_that_joint_from_the_orientation() {
     assert_eq!(family.to_string(), "theta1 free, theta4 follows");
     let Slot::Solved(member) = family.member(&ScaraFolding, &folded, 0.4) else { panic!("{solutions}") };
     assert!((member.q - joints![0.4, PI, 0.1, 0.3]).amax() < 1e-12, "{}", member.q);
-}
-
-dh! {
-    /// A SCARA whose links are equal, so that its quill comes onto axis 1.
-    pub struct ScaraFolding(standard, m, deg);
-
-    | joint | theta | d   | a    | alpha |
-    |-------|-------|-----|------|-------|
-    | J1    | q     | 0.4 | 0.25 | 0     |
-    | J2    | q     | 0   | 0.25 | 180   |
-    | J3    | 0     | q   | 0    | 0     |
-    | J4    | q     | 0   | 0    | 0     |
 }
 
 #[test]

@@ -9,57 +9,9 @@ use kin_runtime::trajectory::{RateLimits, Shared, Trajectory};
 use kin_runtime::watch::{Factor, Factored, Watch};
 use kin_runtime::{Boundary, Constraint, DynOutcome, Singularity};
 use tests::interpreted::Interpreted;
+use tests::invented::{Folding, Human, Twisted};
 use tests::mirrored::Mirrored;
 use tests::sample::Sampler;
-
-dh! {
-    /// A shoulder like a ball, an elbow, and a hand of two axes.
-    pub struct Human(standard, m, deg);
-
-    param upper = 0.4; param fore = 0.35; param stretch = 0.1; param lean = 20deg;
-
-    | joint | theta  | d     | a    | alpha | limits      |
-    |-------|--------|-------|------|-------|-------------|
-    | J1    | q      | 0.3   | 0    | -90   | -170 .. 170 |
-    | J2    | q      | 0     | 0    | 90    |             |
-    | J3    | q + 90 | upper | 0    | -90   | -170 .. 170 |
-    | J4    | q      | 0     | fore | 0     |             |
-    | J5    | q      | 0.03  | 0    | 90    |             |
-    | J6    | q      | 0.08  | 0    | 0     |             |
-
-    base: Rx(lean) Tz(0.5);
-    tool: Tz(stretch) Ry(30);
-}
-
-dh! {
-    /// The upper arm as long as the forearm, so that it folds onto axis 5; an oblique shoulder; drives that reach across.
-    pub struct Folding(standard, mm, deg);
-
-    | joint | theta | d   | a   | alpha |
-    |-------|-------|-----|-----|-------|
-    | J1    | q     | 250 | 0   | -80   |
-    | J2    | q     | 0   | 0   | 75    |
-    | J3    | q     | 300 | 0   | 90    |
-    | J4    | q     | 0   | 300 | 0     |
-    | J5    | q     | 40  | 60  | 90    |
-    | J6    | q     | 70  | 20  | 30    |
-
-    couple: J2 += J1, J5 -= J4;
-}
-
-dh! {
-    /// Joints 4 to 6 are a general base, seen from the tool.
-    pub struct Twisted(standard, m, deg);
-
-    | joint | theta | d    | a    | alpha |
-    |-------|-------|------|------|-------|
-    | J1    | q     | 0.3  | 0    | -90   |
-    | J2    | q     | 0    | 0    | 90    |
-    | J3    | q     | 0.35 | 0.1  | -70   |
-    | J4    | q     | 0.1  | 0.3  | 80    |
-    | J5    | q     | 0.05 | 0.25 | -75   |
-    | J6    | q     | 0.1  | 0.1  | 20    |
-}
 
 dh! {
     /// Joint 4 slides.

@@ -17,7 +17,7 @@ use crate::ik::conic::{self, Path, Way};
 use crate::ik::{ACCEPTED, ROUND_OFF};
 use crate::math::{self, Float};
 use crate::pose::dot;
-use crate::solutions::{ArmPosture, Boundary, Branch, Reason};
+use crate::solutions::{ArmPosture, Boundary, Branch, Elbow, Reason, Shoulder};
 
 /// The axis of a joint, where the arm stands with all figure values zero.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -45,6 +45,13 @@ pub struct GeneralBase<T> {
 
 /// The most refining steps; an ordinary solution needs one.
 const STEPS: usize = 16;
+
+/// Steps along a direction that is lost, each a quarter of the one before: from an eighth of a radian to less than the root of what
+/// round-off may leave open. The best of them takes back a tenth at least, and leaves the extremum, so that Newton's steps go on.
+const SHORTER: usize = 12;
+
+/// How often they are tried in one refinement, at most: each time costs as much as that many steps.
+const SOUGHT: usize = 3;
 
 /// How far, in √ε of the size, a figure may stay open and still be handed to the refinement: the round-off of a double root.
 const SLACK: f64 = 64.0;
@@ -219,7 +226,7 @@ impl<T: Float> GeneralBase<T> {
                 (false, _, None) => way.first,
             };
             sized
-                .settled(&way, held2.map(|t2| math::wrap(t2) + o2), o2, window)
+                .settled((&way, posture), held2.map(|t2| math::wrap(t2) + o2), o2, window)
                 .map(|(values, placed)| placed.placed(self, values, size))
                 .map_err(|by| Reason::OutOfReach { by: by * size, towards: Boundary::Envelope, theta1: None })
         })
@@ -291,12 +298,13 @@ impl<T: Float> Sized<T> {
     /// Joint 2, then all three refined. The error is by how much the point is missed.
     fn settled(
         &self,
-        way: &Way<T>,
+        (way, posture): (&Way<T>, ArmPosture),
         hold: Option<T>,
         convention: T,
         window: T,
     ) -> Result<([T; 3], Settled<T>), T> {
         let [first, second, third] = &self.axes;
+        let way = self.beside_second(way, posture.shoulder == Shoulder::Right);
         let from = third.moved(self.carried, way.third);
         let to = first.moved(self.point, -way.first);
         let (arm, goal) = (second.arm(from), second.arm(to));
@@ -304,8 +312,11 @@ impl<T: Float> Sized<T> {
         let value = if second.slides { dot(&second.direction, &less(to, from)) } else { turned() };
         let far = way.open
             && largest(less(second.moved(from, value), to)) > T::lit(SLACK * SLACK) * math::sqrt(T::EPS);
-        let (mut values, mut stance) =
-            self.refined([way.first, value, way.third], way.free, if far { 0 } else { STEPS });
+        let (mut values, mut stance) = self.refined(
+            [way.first, value, way.third],
+            (way.free, posture.elbow),
+            if far { 0 } else { STEPS },
+        );
         // Asked of what the refinement leaves: a point that passes axis 2 is nearest to it in a flat figure.
         let [first_value, _, third_value] = values;
         let folded = !second.slides && length(second.arm(third.moved(self.carried, third_value))) <= window;
@@ -327,10 +338,52 @@ impl<T: Float> Sized<T> {
         Ok((values, Settled { shoulder, elbow, free: [way.free, folded] }))
     }
 
+    /// A way whose point passes axis 2, brought nearer: the conics know the square of its distance, of which round-off leaves
+    /// nothing there, so that the direction in which joint 2 must point would be lost with it. Joint 3 makes the heights equal,
+    /// joint 1 the distances, by the root of a quadratic equation on its side of the nearest approach.
+    fn beside_second(&self, way: &Way<T>, right: bool) -> Way<T> {
+        let ([first, second, third], mut way) = (&self.axes, *way);
+        let near = T::lit(SLACK) * math::sqrt(T::EPS);
+        let apart = |way: &Way<T>| {
+            let (from, to) = (third.moved(self.carried, way.third), first.moved(self.point, -way.first));
+            let (arm, goal) = (second.arm(from), second.arm(to));
+            let gap = [dot(&second.direction, &less(to, from)), length(goal) - length(arm)];
+            ((from, to), (arm, goal), math::max(math::abs(gap[0]), math::abs(gap[1])))
+        };
+        let ((mut from, mut to), (mut arm, mut goal), mut gap) = apart(&way);
+        for _ in 0..STEPS {
+            if second.slides
+                || way.free
+                || length(arm) > near
+                || length(goal) > near
+                || gap <= T::EPS * T::EPS
+            {
+                break;
+            }
+            let (one, three) = (first.velocity(to).map(|c| -c), third.velocity(from));
+            // Only what is across axis 2 changes the distance.
+            let one = plus(one, second.direction, -dot(&second.direction, &one));
+            let (speed, slope) = (dot(&one, &one), dot(&one, &goal));
+            let half = math::sqrt_or_zero(slope * slope - speed * (dot(&goal, &goal) - dot(&arm, &arm)));
+            let by_first = (if right { -half } else { half } - slope) / speed;
+            let rise = dot(&second.direction, &three);
+            let height = dot(&second.direction, &less(to, from));
+            let by_third = if math::abs(rise) > near { height / rise } else { T::lit(0.0) };
+            let next = Way { first: way.first + by_first, third: way.third + by_third, ..way };
+            let there = apart(&next);
+            if there.2 < gap {
+                (way, ((from, to), (arm, goal), gap)) = (next, there);
+            } else {
+                break;
+            }
+        }
+        way
+    }
+
     /// Figure values brought nearer to the point, as long as a step brings them nearer. Beside a double root the damped step is
-    /// short, so that where it does little the undamped one is tried too.
-    fn refined(&self, mut values: [T; 3], free: bool, steps: usize) -> ([T; 3], Stance<T>) {
-        let mut stance = self.stance(values, free);
+    /// short, so that where it does little the undamped one is tried too, and steps along the direction that is lost.
+    fn refined(&self, mut values: [T; 3], (free, elbow): (bool, Elbow), steps: usize) -> ([T; 3], Stance<T>) {
+        let (mut stance, mut sought) = (self.stance(values, free), 0);
         for _ in 0..steps {
             let miss = largest(stance.missed);
             if miss <= T::EPS {
@@ -342,11 +395,23 @@ impl<T: Float> Sized<T> {
                 (next, self.stance(next, free))
             };
             let mut best = stepped(stance.step());
-            if largest(best.1.missed) > miss * T::lit(0.25)
-                && let Some(step) = stance.undamped()
-            {
-                let other = stepped(step);
-                best = if largest(other.1.missed) < largest(best.1.missed) { other } else { best };
+            if largest(best.1.missed) > miss * T::lit(0.25) {
+                let mut tried = |step: [T; 3]| {
+                    let other = stepped(step);
+                    if largest(other.1.missed) < largest(best.1.missed) {
+                        best = other;
+                    }
+                };
+                stance.undamped().into_iter().for_each(&mut tried);
+                // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
+                if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
+                    sought += 1;
+                    let mut lost = stance.lost(elbow);
+                    for _ in 0..SHORTER {
+                        tried(lost);
+                        lost = lost.map(|c| c * T::lit(0.25));
+                    }
+                }
             }
             if largest(best.1.missed) < miss {
                 (values, stance) = best;
@@ -386,6 +451,24 @@ impl<T: Float> Stance<T> {
         let rows = [[xx + damping, xy, xz], [xy, yy + damping, yz], [xz, yz, zz + damping]];
         let Some(solved) = solved(rows, self.missed) else { return [T::lit(0.0); 3] };
         [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
+    }
+
+    /// An eighth of a radian in the direction in which the joints do not move the point: the longest row of the adjugate. Joint 3 goes
+    /// up or down with the elbow, so that each of two roots that were one has its own.
+    fn lost(&self, elbow: Elbow) -> [T; 3] {
+        let [a, b, c] = self.velocities;
+        let (k0, k1, k2) = (cross(b, c), cross(c, a), cross(a, b));
+        let ([x0, y0, z0], [x1, y1, z1], [x2, y2, z2]) = (k0, k1, k2);
+        let mut longest = [x0, x1, x2];
+        for row in [[y0, y1, y2], [z0, z1, z2]] {
+            if dot(&row, &row) > dot(&longest, &longest) {
+                longest = row;
+            }
+        }
+        let [_, _, third] = longest;
+        let towards = if (third > T::lit(0.0)) == (elbow == Elbow::Up) { 0.125 } else { -0.125 };
+        let unit = math::max(length(longest), T::EPS * T::EPS);
+        longest.map(|c| c * T::lit(towards) / unit)
     }
 
     /// The step that closes the gap to first order, J⁻¹·gap by Cramer's rule, if it is none that leaves the neighbourhood.

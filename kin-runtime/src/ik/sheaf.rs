@@ -196,6 +196,16 @@ impl<T: Float> Labelled<T> {
         let order = |way: &Way<T>| self.zero.map_or(way.third, |zero| math::wrap(way.third - zero));
         let [ru, rd, lu, ld] = &mut self.ways;
         let (right, left) = if up { (ru, lu) } else { (rd, ld) };
+        // On a line a third of the same sign is round-off of roots at infinity: the farthest of the three gives way.
+        if let (None, Some(one), Some(other)) = (self.zero, *right, *left) {
+            let far = |way: &Way<T>| math::abs(way.third);
+            let kept = match (far(&way) >= far(&one), far(&way) >= far(&other), far(&one) > far(&other)) {
+                (true, true, _) => return,
+                (_, _, true) => other,
+                (_, _, false) => one,
+            };
+            (*right, *left) = (Some(kept), None);
+        }
         match right {
             None => *right = Some(way),
             Some(earlier) if order(&way) < order(earlier) => *left = right.replace(way),

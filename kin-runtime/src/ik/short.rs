@@ -10,13 +10,18 @@
 use crate::ik::base::Placed;
 use crate::ik::settle::improved;
 use crate::ik::target::{Target, accepted, distance};
-use crate::ik::{ACCEPTED, DOUBTFUL, FAMILY, finite, given_out, sliding};
+use crate::ik::{ACCEPTED, FAMILY, finite, given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Carried, SolveShort};
 use crate::solutions::{
     ArmPosture, Boundary, Elbow, Free, JointSet, Loose, Margins, Reason, Shoulder, Slot, Solution, Solutions,
 };
+
+/// How far joint values that were read from figures may miss the pose and still be led onto it, as the largest entry of a
+/// rotation or of a position over the reach. Beside an axis the direction to the point is its own round-off over its distance: just
+/// outside the window in which that joint counts as free an eighth of a radian.
+const ASTRAY: f64 = 0.25;
 
 /// The joints that turn the tool about the carried point, and how their angles are read from a rotation m.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -128,16 +133,19 @@ impl<T: Float, A> Task<'_, T, A> {
         A: SolveShort<N>,
     {
         let (base, free) = self.oriented(branch.base(), placed);
-        let mut q = self.joints(base);
-        let mut missed = self.target.missed_by(&self.arm.fk(&q));
-        if missed <= T::lit(DOUBTFUL) * math::sqrt(T::EPS) {
+        let read = self.joints(base);
+        let reached = self.arm.fk(&read);
+        let mut found = (read, self.target.missed_by(&reached));
+        if found.1 <= T::lit(ASTRAY) {
             // Near an axis the place of the point says little of that joint, the orientation more: together they are settled.
-            (q, missed) = improved(self.arm, &self.target, (q, missed));
+            found = improved(self.arm, &self.target, found);
         }
+        let (q, missed) = found;
         let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
         match accepted(missed) {
             Ok(residual) => Slot::Solved(Solution { branch, q, residual, margins, free }),
-            Err(Reason::Inaccurate { residual }) => Slot::Empty(self.reason(&self.arm.fk(&q), residual)),
+            // What the pose asks too much of is told of the figures: a compromise would blame a little of everything.
+            Err(Reason::Inaccurate { residual }) => Slot::Empty(self.reason(&reached, residual)),
             Err(reason) => Slot::Empty(reason),
         }
     }
