@@ -2,7 +2,7 @@
 //!
 //! * [`base`]: the first three joints put the wrist centre (or the tool point) in its place, by named figures.
 //! * [`general`]: any other three joints, by where two conics meet: [`conic`], `sheaf` where neither is flat, and
-//!   [`quartic`] for its roots.
+//!   [`quartic`] for its roots; `refine` closes what round-off has left open.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
 //! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, in steps
@@ -38,6 +38,7 @@ mod lines;
 pub mod pair;
 pub mod position;
 pub mod quartic;
+mod refine;
 pub(crate) mod settle;
 mod sheaf;
 pub mod short;

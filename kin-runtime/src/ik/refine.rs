@@ -1,0 +1,174 @@
+//! What the conics of a [general base](crate::ik::general) leave open, closed on the arm itself: damped Newton steps, undamped ones
+//! beside a double root, and steps along the direction that is lost there.
+
+use crate::ik::ROUND_OFF;
+use crate::ik::conic::Way;
+use crate::ik::general::{SLACK, Sized, cross, largest, length, less, plus, solved};
+use crate::math::{self, Float};
+use crate::pose::dot;
+use crate::solutions::Elbow;
+
+/// The most refining steps; an ordinary solution needs one.
+pub(super) const STEPS: usize = 16;
+
+/// Steps along a direction that is lost, each a quarter of the one before: from an eighth of a radian to less than the root of what
+/// round-off may leave open. The best of them takes back a tenth at least, and leaves the extremum, so that Newton's steps go on.
+const SHORTER: usize = 12;
+
+/// How often they are tried in one refinement, at most: each time costs as much as that many steps.
+const SOUGHT: usize = 3;
+
+/// The arm at some figure values, with the first joint taken back: what is missed, and how the joints move the point.
+pub(super) struct Stance<T> {
+    pub(super) missed: [T; 3],
+    pub(super) velocities: [[T; 3]; 3],
+}
+
+impl<T: Float> Sized<T> {
+    /// A way whose point passes axis 2, brought nearer: the conics know the square of its distance, of which round-off leaves
+    /// nothing there, so that the direction in which joint 2 must point would be lost with it. Joint 3 makes the heights equal,
+    /// joint 1 the distances, by the root of a quadratic equation on its side of the nearest approach.
+    pub(super) fn beside_second(&self, way: &Way<T>, right: bool) -> Way<T> {
+        let ([first, second, third], mut way) = (&self.axes, *way);
+        let near = T::lit(SLACK) * math::sqrt(T::EPS);
+        let apart = |way: &Way<T>| {
+            let (from, to) = (third.moved(self.carried, way.third), first.moved(self.point, -way.first));
+            let (arm, goal) = (second.arm(from), second.arm(to));
+            let gap = [dot(&second.direction, &less(to, from)), length(goal) - length(arm)];
+            ((from, to), (arm, goal), math::max(math::abs(gap[0]), math::abs(gap[1])))
+        };
+        let ((mut from, mut to), (mut arm, mut goal), mut gap) = apart(&way);
+        for _ in 0..STEPS {
+            if second.slides
+                || way.free
+                || length(arm) > near
+                || length(goal) > near
+                || gap <= T::EPS * T::EPS
+            {
+                break;
+            }
+            let (one, three) = (first.velocity(to).map(|c| -c), third.velocity(from));
+            // Only what is across axis 2 changes the distance.
+            let one = plus(one, second.direction, -dot(&second.direction, &one));
+            let (speed, slope) = (dot(&one, &one), dot(&one, &goal));
+            let half = math::sqrt_or_zero(slope * slope - speed * (dot(&goal, &goal) - dot(&arm, &arm)));
+            let by_first = (if right { -half } else { half } - slope) / speed;
+            let rise = dot(&second.direction, &three);
+            let height = dot(&second.direction, &less(to, from));
+            let by_third = if math::abs(rise) > near { height / rise } else { T::lit(0.0) };
+            let next = Way { first: way.first + by_first, third: way.third + by_third, ..way };
+            let there = apart(&next);
+            if there.2 < gap {
+                (way, ((from, to), (arm, goal), gap)) = (next, there);
+            } else {
+                break;
+            }
+        }
+        way
+    }
+
+    /// Figure values brought nearer to the point, as long as a step brings them nearer. Beside a double root the damped step is
+    /// short, so that where it does little the undamped one is tried too, and steps along the direction that is lost.
+    pub(super) fn refined(
+        &self,
+        mut values: [T; 3],
+        (free, elbow): (bool, Elbow),
+        steps: usize,
+    ) -> ([T; 3], Stance<T>) {
+        let (mut stance, mut sought) = (self.stance(values, free), 0);
+        for _ in 0..steps {
+            let miss = largest(stance.missed);
+            if miss <= T::EPS {
+                break;
+            }
+            let stepped = |[a, b, c]: [T; 3]| {
+                let [v1, v2, v3] = values;
+                let next = [v1 + a, v2 + b, v3 + c];
+                (next, self.stance(next, free))
+            };
+            let mut best = stepped(stance.step());
+            if largest(best.1.missed) > miss * T::lit(0.25) {
+                let mut tried = |step: [T; 3]| {
+                    let other = stepped(step);
+                    if largest(other.1.missed) < largest(best.1.missed) {
+                        best = other;
+                    }
+                };
+                stance.undamped().into_iter().for_each(&mut tried);
+                // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
+                if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
+                    sought += 1;
+                    let mut lost = stance.lost(elbow);
+                    for _ in 0..SHORTER {
+                        tried(lost);
+                        lost = lost.map(|c| c * T::lit(0.25));
+                    }
+                }
+            }
+            if largest(best.1.missed) < miss {
+                (values, stance) = best;
+            } else {
+                break;
+            }
+        }
+        (values, stance)
+    }
+
+    pub(super) fn stance(&self, [v1, v2, v3]: [T; 3], free: bool) -> Stance<T> {
+        let [first, second, third] = &self.axes;
+        let lifted = third.moved(self.carried, v3);
+        let placed = second.moved(lifted, v2);
+        let still = [T::lit(0.0); 3];
+        Stance {
+            missed: less(first.moved(self.point, -v1), placed),
+            velocities: [
+                if free { still } else { first.velocity(placed) },
+                second.velocity(placed),
+                second.turned(third.velocity(lifted), v2),
+            ],
+        }
+    }
+}
+
+impl<T: Float> Stance<T> {
+    /// The smallest step of the joints that closes the gap to first order: Jᵀ(JJᵀ + μ)⁻¹·gap, the damping μ such that it
+    /// stays below √ε where the joints cannot close it.
+    fn step(&self) -> [T; 3] {
+        let [a, b, c] = self.velocities;
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
+        let (x, y, z) = ([ax, bx, cx], [ay, by, cy], [az, bz, cz]);
+        let (xx, yy, zz) = (dot(&x, &x), dot(&y, &y), dot(&z, &z));
+        let (xy, xz, yz) = (dot(&x, &y), dot(&x, &z), dot(&y, &z));
+        let damping = (xx + yy + zz) * T::EPS * T::lit(16.0);
+        let rows = [[xx + damping, xy, xz], [xy, yy + damping, yz], [xz, yz, zz + damping]];
+        let Some(solved) = solved(rows, self.missed) else { return [T::lit(0.0); 3] };
+        [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
+    }
+
+    /// An eighth of a radian in the direction in which the joints do not move the point: the longest row of the adjugate. Joint 3 goes
+    /// up or down with the elbow, so that each of two roots that were one has its own.
+    fn lost(&self, elbow: Elbow) -> [T; 3] {
+        let [a, b, c] = self.velocities;
+        let (k0, k1, k2) = (cross(b, c), cross(c, a), cross(a, b));
+        let ([x0, y0, z0], [x1, y1, z1], [x2, y2, z2]) = (k0, k1, k2);
+        let mut longest = [x0, x1, x2];
+        for row in [[y0, y1, y2], [z0, z1, z2]] {
+            if dot(&row, &row) > dot(&longest, &longest) {
+                longest = row;
+            }
+        }
+        let [_, _, third] = longest;
+        let towards = if (third > T::lit(0.0)) == (elbow == Elbow::Up) { 0.125 } else { -0.125 };
+        let unit = math::max(length(longest), T::EPS * T::EPS);
+        longest.map(|c| c * T::lit(towards) / unit)
+    }
+
+    /// The step that closes the gap to first order, J⁻¹·gap by Cramer's rule, if it is none that leaves the neighbourhood.
+    fn undamped(&self) -> Option<[T; 3]> {
+        let ([a, b, c], missed) = (self.velocities, self.missed);
+        let (k0, k1, k2) = (cross(b, c), cross(c, a), cross(a, b));
+        let determinant = dot(&a, &k0);
+        let step = [k0, k1, k2].map(|k| dot(&k, &missed) / determinant);
+        (largest(step) <= T::lit(0.25)).then_some(step)
+    }
+}
