@@ -31,6 +31,12 @@ impl<T: Float> Metric<T> {
         if self.sliding.contains(joint) { way / self.reach } else { way }
     }
 
+    /// The size of the way that joints go, the joint that goes farthest counting.
+    pub(crate) fn size<const N: usize>(&self, way: &Joints<T, N>) -> T {
+        let ways = pose::entries(way).into_iter().enumerate();
+        ways.fold(T::lit(0.0), |most, (joint, way)| math::max(most, math::abs(self.weigh(joint, way))))
+    }
+
     pub(crate) fn between<const N: usize>(&self, from: &Joints<T, N>, to: &Joints<T, N>) -> Move<T> {
         Move::between(from, to, |joint, way| self.weigh(joint, way))
     }

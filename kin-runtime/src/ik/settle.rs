@@ -6,17 +6,25 @@
 //!
 //! Each step is the damped least-squares solution of J·δ = error, K. Levenberg's with the square of the error for the
 //! damping (N. Yamashita and M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method", 2001: fast at
-//! singular solutions too), by conjugate gradients, which leave alone what J does not see.
+//! singular solutions too), by conjugate gradients, which leave alone what J does not see. Where two sets meet, two of its
+//! directions are so short that conjugate gradients no longer tell them from rounding; the steps are then those of its singular
+//! values.
 
 use crate::arm::Arm;
 use crate::ik::target::{Target, accepted};
 use crate::ik::{ROUND_OFF, given_out};
 use crate::math::{self, Float};
-use crate::pose::{self, Joints, Pose};
-use crate::singularity::scaled;
+use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::singularity::{directions, scaled};
 
 /// Steps at most. Where branches touch, each step halves the way.
 const STEPS: usize = 40;
+
+/// Steps that may miss as much as the one before them, while that is more than rounding makes: the pose is out of reach.
+const VAIN: usize = 12;
+
+/// Steps that a residual is given to come down to round-off, once it is good enough.
+const POLISH: usize = 3;
 
 /// Directions of one step: as many as a Jacobian has rows, and two to make up for rounding.
 const DIRECTIONS: usize = 8;
@@ -31,19 +39,41 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
     let reach = T::lit(arm.reach());
     let target = Target::for_reach(pose, reach).ok()?;
     let mut q = pose::entries(q);
+    let (mut best, mut polish): (Option<(Joints<T, N>, T)>, usize) = (None, POLISH);
+    let (mut least, mut vain) = (T::lit(f64::INFINITY), 0);
     for _ in 0..STEPS {
         let (at, jacobian) = arm.fk_jacobian(&pose::column(q));
         // What is checked is what would be given out.
         let wrapped = given_out(q, &A::JOINTS);
         if let Ok(residual) = accepted(target.missed_by(&arm.fk(&wrapped))) {
-            return Some((pose::column(q), residual));
+            if best.as_ref().is_none_or(|(_, least)| residual < *least) {
+                best = Some((pose::column(q), residual));
+            }
+            if residual <= T::lit(ROUND_OFF) * T::EPS || polish == 0 {
+                break;
+            }
+            polish -= 1;
+        } else if best.is_some() {
+            break;
         }
-        let step = least_squares(&scaled(&jacobian, reach).data.0, error(&target.pose, &at, reach));
+        let (jacobian, error) = (scaled(&jacobian, reach), error(&target.pose, &at, reach));
+        let size = product(&error, &error);
+        // A step that does not halve what is missed has been lost in rounding.
+        let step = if size < least * T::lit(0.25) {
+            least_squares(&jacobian.data.0, error)
+        } else {
+            vain += usize::from(size > T::EPS);
+            if vain > VAIN {
+                break;
+            }
+            along_directions(&jacobian, error)
+        };
+        least = size;
         for (value, by) in q.iter_mut().zip(step) {
             *value += by;
         }
     }
-    None
+    best
 }
 
 /// Joint values, and how far they miss the target, brought nearer to it as long as a step does so. Of an arm that a pose asks
@@ -84,6 +114,19 @@ pub(super) fn error<T: Float>(to: &Pose<T>, from: &Pose<T>, reach: T) -> [T; 6] 
     }
     let [i, j, n] = turn;
     [(a - x) / reach, (b - y) / reach, (c - z) / reach, i, j, n]
+}
+
+/// The damped least-squares solution, by singular values.
+fn along_directions<T: Float, const N: usize>(jacobian: &Jacobian<T, N>, error: [T; 6]) -> [T; N] {
+    let damping = product(&error, &error);
+    let mut x = [T::lit(0.0); N];
+    for direction in directions(jacobian) {
+        let size = product(&direction.column, &direction.column) + damping;
+        if size > T::lit(0.0) {
+            add(&mut x, &direction.turn, product(&direction.column, &error) / size);
+        }
+    }
+    x
 }
 
 /// The damped least-squares solution for a matrix given by columns, by conjugate gradients.

@@ -9,20 +9,27 @@
 //! # What is guaranteed
 //!
 //! A flip is reported only where no solution of the pose, of any branch or winding and within the limits, and none of the
-//! members of its families that are tried, continues the joints as they stand; it is never hidden in a continuous step. Where branches meet (a stretched elbow, a straight
-//! wrist, the wrist centre crossing axis 1) or lie close, several solutions continue: the one nearest to where the joints
-//! were heading is followed over the poses *ahead* (32), in steps of the same kind; if it ends there, so are the others,
-//! and the one that goes farthest is taken. In the same way the end of a flip that cannot be avoided is chosen. Within a
-//! family the free coordinates keep their values until the exit is in sight, and are then led to it in equal steps, so
-//! that a wrist leaves its singularity without a jump if the exit is within the poses ahead. Where rounding has lost the
-//! joints, they settle on the pose from where they were heading, to the same residual as any solution. What is not
-//! guaranteed: a choice whose consequence lies farther ahead, or at a second meeting of branches, is made by heading
-//! alone; where two branches both continue, the path alone cannot tell which of them it came from; and at a pose that is
-//! on two singular sets at once a continuous choice may be missed.
+//! members of its families that are tried, continues the joints as they stand; it is never hidden in a continuous step. Where
+//! branches meet (a stretched elbow, a straight wrist, the wrist centre crossing axis 1) or lie close, several solutions
+//! continue: the one nearest to where the joints were heading is followed over the poses *ahead* (32), in steps of the same
+//! kind; if it ends there, so are the others, and the one that goes farthest is taken. In the same way the end of a flip that
+//! cannot be avoided is chosen.
+//!
+//! Within a family the free coordinates keep their values until the exit is in sight, and are then led to it in equal steps, so
+//! that a wrist leaves its singularity without a jump if the exit is within the poses ahead. Where that would move the others
+//! suddenly, and where rounding has lost the joints, they settle on the pose from where they were heading, to the same residual
+//! as any solution: where two singular sets meet, the one member that goes on is found so, and no other is near it. (With the
+//! wrist centre on axis 1 and the wrist straight, a joint 1 that is off by 1e-3 bends the wrist towards a side of its own.)
+//!
+//! Over 1,000,000 random paths of 41 poses by seven arms, elbow, slide, three skew axes, an oblique wrist, a spherical shoulder
+//! among them, an eighth through no singular set, three eighths each through one and where two meet, an eighth where three do,
+//! none flips and none is blocked: `cargo run --release -p tests --bin motion -- --trajectories 0 --crossings 0 --paths 1e6`.
+//! A choice whose consequence lies farther ahead is made by heading alone; and where two branches both continue, the path alone
+//! cannot tell which of them it came from.
 //!
 //! Each step costs one solution of the pose; near meetings of branches about three; in a family, or where what is followed
-//! ends among the poses ahead, up to the number of poses ahead times the number of branches. Nothing is allocated: the
-//! poses ahead are read from a clone of the iterator.
+//! ends among the poses ahead, up to the number of poses ahead times the number of branches, and to settle costs as much as a
+//! few solutions more. Nothing is allocated: the poses ahead are read from a clone of the iterator.
 //!
 //! ```
 //! use kin_runtime::prelude::*;
@@ -167,45 +174,54 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
         self.ahead
     }
 
-    /// The offer that lasts longest; among equals the one nearest to where the joints were heading.
+    /// What lasts longest of the offers, those that continue or all of them; among equals the one nearest to where the joints
+    /// were heading.
     fn longest(
         &self,
         pose: &Pose<T>,
-        offers: &Offers<T, N, A::Branch>,
+        offers: impl Iterator<Item = Winding<T, N, A::Branch>>,
         continuous: bool,
     ) -> Option<Choice<T, N, A::Branch>> {
         let mut best: Option<Choice<T, N, A::Branch>> = None;
-        for winding in offers.as_ref().iter().flatten().flatten() {
+        for winding in offers {
             if continuous && !self.continues(&self.seat, pose, &winding.q) {
                 continue;
             }
-            let (lasts, off) = (self.lasts(&self.seat, winding), self.off(&self.seat, &winding.q));
+            let (lasts, off) = (self.lasts(&self.seat, &winding), self.off(&self.seat, &winding.q));
             if best.as_ref().is_none_or(|best| lasts > best.lasts || (lasts == best.lasts && off < best.off))
             {
-                best = Some(Choice { winding: *winding, lasts, off });
+                best = Some(Choice { winding, lasts, off });
             }
         }
         best
     }
 
-    /// Where branches meet: the one that heads on, unless it ends ahead and another goes farther.
+    /// The step to a pose: what heads on, unless that ends ahead and something else goes farther.
     fn chosen(
         &mut self,
         pose: &Pose<T>,
         offers: &Offers<T, N, A::Branch>,
     ) -> Option<Winding<T, N, A::Branch>> {
         let (headed, count) = self.heading(&self.seat, pose, offers);
-        let headed = headed?.winding;
+        let found = self.steadied(&self.seat, pose, headed.map(|choice| choice.winding), offers)?;
         self.clear = self.clear.saturating_sub(1);
-        if count < 2 || self.clear > self.ahead / 2 {
-            return Some(headed);
+        if (count < 2 && found.solution.is_isolated()) || self.clear > self.ahead / 2 {
+            return Some(found);
         }
-        self.clear = self.lasts(&self.seat, &headed);
+        self.clear = self.lasts(&self.seat, &found);
         if self.clear >= self.ahead {
-            return Some(headed);
+            return Some(found);
         }
-        let longest = self.longest(pose, offers, true);
-        Some(longest.filter(|choice| choice.lasts > self.clear).map_or(headed, |choice| choice.winding))
+        let free = !found.solution.is_isolated();
+        let others = [
+            if free { self.settled(&self.seat, pose, offers) } else { None },
+            if free { self.let_go(&self.seat, pose, offers) } else { None },
+        ];
+        let all = offers.as_ref().iter().flatten().flatten().chain(others.iter().flatten()).copied();
+        let longest = self.longest(pose, all, true).filter(|choice| choice.lasts > self.clear);
+        let Some(choice) = longest else { return Some(found) };
+        self.clear = choice.lasts;
+        Some(choice.winding)
     }
 
     /// The member of a family on the way to where the path leaves it, if that is in sight.
@@ -215,7 +231,11 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
         let hold = combined(&self.seat.q, &exit, |now, then| now + (then - now) * share);
         let offers = self.offers(&self.seat, pose, &hold, &self.limits);
         for member in offers.as_ref().iter().flatten().flatten() {
-            if member.solution.branch == held.solution.branch && self.continues(&self.seat, pose, &member.q) {
+            let nearer = || {
+                let off = |q: &Joints<T, N>| self.metric.between(&hold, q).largest;
+                off(&member.q) < off(&held.q) && self.continues(&self.seat, pose, &member.q)
+            };
+            if member.solution.branch == held.solution.branch && nearer() {
                 return *member;
             }
         }
@@ -253,7 +273,8 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
 
     /// The step to a pose that no continuous step reaches.
     fn flip(&self, pose: &Pose<T>, offers: &Offers<T, N, A::Branch>) -> Step<T, N, A::Branch> {
-        let Some(choice) = self.longest(pose, offers, false) else {
+        let all = offers.as_ref().iter().flatten().flatten().copied();
+        let Some(choice) = self.longest(pose, all, false) else {
             return Step::Blocked(refusal::<T, N, A::Branch>(offers));
         };
         let (mut joint, mut most, mut jump) = (0, T::lit(-1.0), T::lit(0.0));
@@ -280,17 +301,13 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         }
         let offers = self.offers(&self.seat, &pose, &self.seat.q, &self.limits);
         let step = match self.chosen(&pose, &offers) {
-            Some(winding) if winding.solution.is_isolated() => {
-                Step::Continuous(self.steadied(&pose, winding, &offers))
+            Some(winding) if winding.solution.is_isolated() => Step::Continuous(winding),
+            Some(winding) => {
+                // What lay ahead was seen from a member that is not to be kept.
+                self.clear = 0;
+                Step::Continuous(self.led(&pose, winding))
             }
-            Some(winding) => Step::Continuous(self.led(&pose, winding)),
-            None => match self
-                .let_go(&self.seat, &pose, &offers)
-                .or_else(|| self.settled(&self.seat, &pose, &offers))
-            {
-                Some(winding) => Step::Continuous(winding),
-                None => self.flip(&pose, &offers),
-            },
+            None => self.flip(&pose, &offers),
         };
         match &step {
             Step::Continuous(to) => {

@@ -11,6 +11,9 @@ use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::solutions::{Branch, Reason, Solution, Winding};
 
+/// How near to a singular pose a step that is suddenly long is doubted: the angle of a wrist, or a distance in reaches.
+const STARTLED: f64 = 1e-3;
+
 /// Where the joints are, and by how much they came there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seat<T, const N: usize> {
@@ -131,7 +134,7 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
     pub(super) fn headed(&self, seat: &Seat<T, N>, pose: &Pose<T>) -> Option<Winding<T, N, A::Branch>> {
         let offers = self.offers(seat, pose, &seat.q, &self.limits);
         let headed = self.heading(seat, pose, &offers).0.map(|choice| choice.winding);
-        headed.or_else(|| self.let_go(seat, pose, &offers)).or_else(|| self.settled(seat, pose, &offers))
+        self.steadied(seat, pose, headed, &offers)
     }
 
     /// Where the figures have lost the joints to rounding: those that settle on the pose from where they were heading,
@@ -143,6 +146,24 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         offers: &Offers<T, N, A::Branch>,
     ) -> Option<Winding<T, N, A::Branch>> {
         let heading = combined(&seat.q, &seat.way, |a, b| a + b);
+        let (q, residual) = settle(self.arm, pose, &heading)?;
+        // Where nothing is offered, the pose that the joints were heading for is nearly this one.
+        let like = self.nearest(seat, offers).or_else(|| {
+            let offers = self.offers(seat, &self.arm.fk(&heading), &heading, &Limits::NONE);
+            self.nearest(seat, &offers)
+        });
+        let like = like?.solution;
+        let solution = Solution { q: given_out(pose::entries(&q), &A::JOINTS), residual, ..like };
+        let continues = self.passed(&q).is_none() && self.continues(seat, pose, &q);
+        continues.then_some(Winding { q, solution })
+    }
+
+    /// The offer nearest to where the joints were heading, whether it continues or not.
+    fn nearest(
+        &self,
+        seat: &Seat<T, N>,
+        offers: &Offers<T, N, A::Branch>,
+    ) -> Option<Winding<T, N, A::Branch>> {
         let mut nearest: Option<(Winding<T, N, A::Branch>, T)> = None;
         for winding in offers.as_ref().iter().flatten().flatten() {
             let off = self.off(seat, &winding.q);
@@ -150,31 +171,48 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
                 nearest = Some((*winding, off));
             }
         }
-        let like = nearest?.0.solution;
-        let (q, residual) = settle(self.arm, pose, &heading)?;
-        let solution = Solution { q: given_out(pose::entries(&q), &A::JOINTS), residual, ..like };
-        let continues = self.passed(&q).is_none() && self.continues(seat, pose, &q);
-        continues.then_some(Winding { q, solution })
+        nearest.map(|(winding, _)| winding)
     }
 
-    /// So near a singular pose the figures give what rounding left of the joints: those that settle are taken if they
+    /// The step itself, once it is known which offer heads on: another where none does, or where that one leaps and others
     /// are nearer to where the joints were heading.
     pub(super) fn steadied(
         &self,
+        seat: &Seat<T, N>,
         pose: &Pose<T>,
-        found: Winding<T, N, A::Branch>,
+        headed: Option<Winding<T, N, A::Branch>>,
         offers: &Offers<T, N, A::Branch>,
-    ) -> Winding<T, N, A::Branch> {
+    ) -> Option<Winding<T, N, A::Branch>> {
+        let Some(found) = headed.or_else(|| self.let_go(seat, pose, offers)) else {
+            return self.settled(seat, pose, offers);
+        };
+        if self.is_steady(seat, &found) {
+            return Some(found);
+        }
+        // A free coordinate may keep its value at a small price; it lets go of it where that is several times the other's.
+        let price = if found.solution.is_isolated() { T::lit(1.0) } else { T::lit(4.0) };
+        let nearer =
+            |near: &Winding<T, N, A::Branch>| self.off(seat, &near.q) * price < self.off(seat, &found.q);
+        Some(self.settled(seat, pose, offers).filter(nearer).unwrap_or(found))
+    }
+
+    /// Whether an offer can be trusted to be where the joints are heading, if any is there.
+    ///
+    /// Near a singular pose the figures give what rounding left of the joints. And where two sets meet, the members that keep
+    /// one of the free coordinates may be bent the other way: with joint 1 held, a wrist centre on axis 1 leaves a straight
+    /// wrist bent by next to nothing, but towards a side of its own.
+    fn is_steady(&self, seat: &Seat<T, N>, found: &Winding<T, N, A::Branch>) -> bool {
+        let calm =
+            self.metric.between(&seat.q, &found.q).largest <= T::lit(2.0) * self.metric.size(&seat.way);
+        if !found.solution.is_isolated() {
+            return calm;
+        }
         let (margins, reach) = (found.solution.margins, T::lit(self.arm.reach()));
         let wrist = margins.wrist.unwrap_or(reach);
         let (angle, length) =
             if A::Branch::MIRRORED { (margins.shoulder, wrist) } else { (wrist, margins.shoulder) };
-        let nearest = math::min(angle, length / reach);
-        if nearest > T::lit(64.0) * math::sqrt(T::EPS) {
-            return found;
-        }
-        let settled = self.settled(&self.seat, pose, offers);
-        settled.filter(|near| self.off(&self.seat, &near.q) < self.off(&self.seat, &found.q)).unwrap_or(found)
+        let near = if calm { T::lit(64.0) * math::sqrt(T::EPS) } else { T::lit(STARTLED) };
+        math::min(angle, length / reach) > near
     }
 
     /// Free coordinates that go on as they were heading, where none of the members that keep them continues.

@@ -1,18 +1,19 @@
-//! `cargo run --release -p tests --bin motion -- --trajectories 1e6 --crossings 1e4`: motion judged by the million.
+//! `cargo run --release -p tests --bin motion -- --trajectories 1e6 --crossings 1e4 --paths 1e6`: motion judged by the million.
 //!
 //! Trajectories against their limits and an independent optimum; the singularity monitor against a sampling that is 10,000 times
-//! finer than 20 Hz. Exit code 1 if a promise is not kept, 2 if the order was not understood.
+//! finer than 20 Hz; paths of poses through singular sets against the joint values that made them. Exit code 1 if a promise is not kept, 2 if the order was not understood.
 
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use tests::motion::{passing, timing};
+use tests::motion::{passing, timing, tracking};
 
 const HELP: &str = "\
     --trajectories N  random trajectories against their limits and an independent optimum [1e6]
     --crossings N     random trajectories whose crossings are looked for [1e4]
+    --paths N         random paths through singular poses that are followed [1e6]
     --finer N         how many times finer than 20 Hz the crossings are sampled [1e4]
     --seed N          where the random numbers start [1]
     --threads N       how many threads; the result does not depend on it [all]";
@@ -23,6 +24,7 @@ const BLOCK: u64 = 16;
 struct Order {
     trajectories: u64,
     crossings: u64,
+    paths: u64,
     finer: u64,
     seed: u64,
     threads: usize,
@@ -31,7 +33,14 @@ struct Order {
 /// Nothing if the help was asked for.
 fn order() -> Result<Option<Order>, String> {
     let threads = thread::available_parallelism().map_or(1, Into::into);
-    let mut order = Order { trajectories: 1_000_000, crossings: 10_000, finer: 10_000, seed: 1, threads };
+    let mut order = Order {
+        trajectories: 1_000_000,
+        crossings: 10_000,
+        paths: 1_000_000,
+        finer: 10_000,
+        seed: 1,
+        threads,
+    };
     let mut given = std::env::args().skip(1);
     while let Some(option) = given.next() {
         if option == "--help" {
@@ -43,6 +52,7 @@ fn order() -> Result<Option<Order>, String> {
         match option.as_str() {
             "--trajectories" => order.trajectories = number,
             "--crossings" => order.crossings = number,
+            "--paths" => order.paths = number,
             "--finer" => order.finer = number.max(1),
             "--seed" => order.seed = number,
             "--threads" => order.threads = number.clamp(1, 1024) as usize,
@@ -109,7 +119,13 @@ fn main() -> ExitCode {
         passing::Findings::and,
     );
     println!("crossings: {passed:#?}");
-    let broken = [timed.broken(), passed.broken()].concat();
+    let followed = spread(
+        ("paths", order.paths, order.threads),
+        |tries| tracking::run(order.seed, tries),
+        tracking::Findings::and,
+    );
+    println!("paths: {followed:#?}");
+    let broken = [timed.broken(), passed.broken(), followed.broken()].concat();
     broken.iter().for_each(|line| println!("MISSED  {line}"));
     if broken.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

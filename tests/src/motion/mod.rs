@@ -2,9 +2,11 @@
 //!
 //! A try is a function of the seed and its number, so that a worst case can be made again.
 
+pub mod arms;
 pub mod passing;
 pub mod sides;
 pub mod timing;
+pub mod tracking;
 
 /// The largest figure seen, and the try in which it was.
 #[derive(Clone, Copy, Default, Debug, PartialEq)]
