@@ -6,7 +6,7 @@ use crate::limits::Limits;
 use crate::math::{Float, Real};
 use crate::pose::{Jacobian, Joints, Pose};
 use crate::solutions::{Branch, Reason, Solutions, Winding};
-use crate::track::Track;
+use crate::track::{ByPoint, Track};
 use core::fmt;
 use nalgebra::{Matrix3, Point3};
 
@@ -260,5 +260,20 @@ pub trait PositionInverse<const N: usize>: Arm<N> {
         limits: &Limits<N>,
     ) -> Result<Winding<T, N, Self::Branch>, Reason<T>> {
         choice::nearest(&|hold: &_| self.ik_position_holding(p, hold), &Self::JOINTS, self.reach(), q, limits)
+    }
+
+    /// Follows a path of points (in the base frame, declared unit of length) from the joint values `start`, one step for each
+    /// point: see [`Track`].
+    fn track_position<T: Float, I>(
+        &self,
+        start: &Joints<T, N>,
+        path: I,
+    ) -> Track<'_, Self, T, N, I::IntoIter, ByPoint>
+    where
+        Self: Sized,
+        I: IntoIterator<Item = Point3<T>>,
+        I::IntoIter: Clone,
+    {
+        Track::new(self, start, path.into_iter())
     }
 }

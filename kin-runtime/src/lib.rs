@@ -175,7 +175,7 @@ pub use solutions::{
     ArmPosture, Bend, Boundary, Branch, Constraint, Elbow, Family, Hand, JointSet, Margins, Posture, Ranges,
     Reason, Shoulder, ShoulderPosture, Singularity, Slot, Solution, Solutions, Winding, Windings,
 };
-pub use track::{Cause, Census, Step, Stop, Track};
+pub use track::{ByPoint, Cause, Census, Step, Stop, Track};
 pub use trajectory::{RateLimits, Route, ToolLimits, ToolPath, Trajectory, TrajectoryError};
 pub use watch::{Factor, Factored, Factors, Measure, Watch};
 

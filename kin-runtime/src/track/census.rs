@@ -5,10 +5,9 @@
 //! for this joint". [`Stop::count`] is the number, [`Stop::step`] the choice, [`Stop::held`] the joints of which the pose says
 //! nothing.
 
-use super::{Step, Track};
-use crate::arm::InverseKinematics;
+use super::{ByPose, Goal, Step, Track};
+use crate::arm::Arm;
 use crate::math::Float;
-use crate::pose::Pose;
 use crate::solutions::{Branch, JointSet, Slot, Solutions};
 use core::fmt;
 
@@ -37,8 +36,8 @@ pub struct Stop<T, const N: usize, B> {
 
 /// A [`Track`] that also counts: an iterator over [`Stop`]s.
 #[derive(Clone, Debug)]
-pub struct Counted<'a, A: InverseKinematics<N>, T: Float, const N: usize, I>(
-    pub(super) Track<'a, A, T, N, I>,
+pub struct Counted<'a, A: Arm<N>, T: Float, const N: usize, I, G: Goal<A, N> = ByPose>(
+    pub(super) Track<'a, A, T, N, I, G>,
 );
 
 impl Census {
@@ -64,15 +63,15 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 }
 
-impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<T>> + Clone> Iterator
-    for Counted<'_, A, T, N, I>
+impl<A: Arm<N>, T: Float, const N: usize, I: Iterator<Item = G::Target<T>> + Clone, G: Goal<A, N>> Iterator
+    for Counted<'_, A, T, N, I, G>
 {
-    type Item = Stop<T, N, A::Branch>;
+    type Item = Stop<T, N, G::Branch>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let Counted(track) = self;
-        let pose = track.path.clone().next()?;
-        let count = track.arm.ik_holding(&pose, track.q()).census();
+        let pose = G::pose(&track.path.clone().next()?);
+        let count = G::solutions(track.arm, &pose, track.q()).census();
         let step = track.next()?;
         let held = match &step {
             Step::Continuous(to) | Step::Flip { to, .. } => to

@@ -1,4 +1,4 @@
-//! Paths of poses followed in joint values, without a flip where one can be avoided, through singular poses too.
+//! Paths of poses, or of places, followed in joint values, without a flip where one can be avoided, through singular poses too.
 //!
 //! # What a continuous step is
 //!
@@ -31,6 +31,9 @@
 //! ends among the poses ahead, up to the number of poses ahead times the number of branches, and to settle costs as much as a
 //! few solutions more. Nothing is allocated: the poses ahead are read from a clone of the iterator.
 //!
+//! An arm that is solved from a position follows a path of points in the same way; of the tool only its place counts then, in
+//! what a continuous step is too: [`track_position`](crate::PositionInverse::track_position).
+//!
 //! ```
 //! use kin_runtime::prelude::*;
 //!
@@ -41,17 +44,20 @@
 //! ```
 
 mod census;
+mod goal;
 mod strand;
 
 pub use census::{Census, Counted, Stop};
+pub use goal::{ByPoint, ByPose, Goal};
 
-use crate::arm::InverseKinematics;
+use crate::arm::Arm;
 use crate::choice::{Metric, Offers, refusal};
 use crate::limits::Limits;
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::solutions::{Reason, Winding};
 use core::fmt;
+use core::marker::PhantomData;
 use strand::{Choice, Seat, combined};
 
 /// How far the tool may be off the way between two poses that coincide, in parts of the reach.
@@ -98,9 +104,9 @@ pub enum Cause<T> {
     Steep,
 }
 
-/// A path of poses being followed: an iterator over its [`Step`]s. The [module](self) says what is guaranteed.
+/// A path of poses, or of places, being followed: an iterator over its [`Step`]s. The [module](self) says what is guaranteed.
 #[derive(Clone, Debug)]
-pub struct Track<'a, A: InverseKinematics<N>, T: Float, const N: usize, I> {
+pub struct Track<'a, A: Arm<N>, T: Float, const N: usize, I, G: Goal<A, N> = ByPose> {
     arm: &'a A,
     path: I,
     limits: Limits<N>,
@@ -109,13 +115,14 @@ pub struct Track<'a, A: InverseKinematics<N>, T: Float, const N: usize, I> {
     ahead: usize,
     seat: Seat<T, N>,
     /// The branch of the last solution.
-    branch: Option<A::Branch>,
+    branch: Option<G::Branch>,
     /// How many of the next poses are known to be reached without a flip.
     clear: usize,
+    goal: PhantomData<G>,
 }
 
-impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<T>> + Clone>
-    Track<'a, A, T, N, I>
+impl<'a, A: Arm<N>, T: Float, const N: usize, I: Iterator<Item = G::Target<T>> + Clone, G: Goal<A, N>>
+    Track<'a, A, T, N, I, G>
 {
     pub(crate) fn new(arm: &'a A, start: &Joints<T, N>, path: I) -> Self {
         Self {
@@ -128,6 +135,7 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
             seat: Seat::at(*start),
             branch: None,
             clear: 0,
+            goal: PhantomData,
         }
     }
 
@@ -153,7 +161,7 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     }
 
     /// Counts the solutions of each pose as well, for one solution of the pose more.
-    pub fn counted(self) -> Counted<'a, A, T, N, I> {
+    pub fn counted(self) -> Counted<'a, A, T, N, I, G> {
         Counted(self)
     }
 
@@ -162,10 +170,15 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
         &self.seat.q
     }
 
+    /// The poses ahead.
+    fn coming(&self) -> impl Iterator<Item = Pose<T>> + use<A, T, N, I, G> {
+        self.path.clone().take(self.ahead).map(|target| G::pose(&target))
+    }
+
     /// For how many of the poses ahead a solution goes on; all of them if the path ends before.
-    fn lasts(&self, seat: &Seat<T, N>, to: &Winding<T, N, A::Branch>) -> usize {
+    fn lasts(&self, seat: &Seat<T, N>, to: &Winding<T, N, G::Branch>) -> usize {
         let mut seat = seat.moved(to);
-        for (count, pose) in self.path.clone().take(self.ahead).enumerate() {
+        for (count, pose) in self.coming().enumerate() {
             match self.headed(&seat, &pose) {
                 Some(next) => seat = seat.moved(&next),
                 None => return count,
@@ -179,10 +192,10 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     fn longest(
         &self,
         pose: &Pose<T>,
-        offers: impl Iterator<Item = Winding<T, N, A::Branch>>,
+        offers: impl Iterator<Item = Winding<T, N, G::Branch>>,
         continuous: bool,
-    ) -> Option<Choice<T, N, A::Branch>> {
-        let mut best: Option<Choice<T, N, A::Branch>> = None;
+    ) -> Option<Choice<T, N, G::Branch>> {
+        let mut best: Option<Choice<T, N, G::Branch>> = None;
         for winding in offers {
             if continuous && !self.continues(&self.seat, pose, &winding.q) {
                 continue;
@@ -200,8 +213,8 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     fn chosen(
         &mut self,
         pose: &Pose<T>,
-        offers: &Offers<T, N, A::Branch>,
-    ) -> Option<Winding<T, N, A::Branch>> {
+        offers: &Offers<T, N, G::Branch>,
+    ) -> Option<Winding<T, N, G::Branch>> {
         let (headed, count) = self.heading(&self.seat, pose, offers);
         let found = self.steadied(&self.seat, pose, headed.map(|choice| choice.winding), offers)?;
         self.clear = self.clear.saturating_sub(1);
@@ -225,7 +238,7 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     }
 
     /// The member of a family on the way to where the path leaves it, if that is in sight.
-    fn led(&self, pose: &Pose<T>, held: Winding<T, N, A::Branch>) -> Winding<T, N, A::Branch> {
+    fn led(&self, pose: &Pose<T>, held: Winding<T, N, G::Branch>) -> Winding<T, N, G::Branch> {
         let Some((steps, exit)) = self.exit(&held) else { return held };
         let share = T::lit(1.0) / T::lit(steps as f64 + 1.0);
         let hold = combined(&self.seat.q, &exit, |now, then| now + (then - now) * share);
@@ -243,9 +256,9 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     }
 
     /// The joint values at the first pose ahead that leaves nothing free, and how many steps ahead it is.
-    fn exit(&self, held: &Winding<T, N, A::Branch>) -> Option<(usize, Joints<T, N>)> {
+    fn exit(&self, held: &Winding<T, N, G::Branch>) -> Option<(usize, Joints<T, N>)> {
         let mut seat = self.seat.moved(held);
-        for (count, pose) in self.path.clone().take(self.ahead).enumerate() {
+        for (count, pose) in self.coming().enumerate() {
             let next = self.headed(&seat, &pose)?;
             if next.solution.is_isolated() {
                 return Some((count + 1, next.q));
@@ -256,7 +269,7 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     }
 
     /// Why none of the offers continues.
-    fn cause(&self, pose: &Pose<T>, offers: &Offers<T, N, A::Branch>) -> Cause<T> {
+    fn cause(&self, pose: &Pose<T>, offers: &Offers<T, N, G::Branch>) -> Cause<T> {
         if self.limits != Limits::NONE {
             let unlimited = self.offers(&self.seat, pose, &self.seat.q, &Limits::NONE);
             if let Some(choice) = self.heading(&self.seat, pose, &unlimited).0
@@ -265,17 +278,17 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
                 return Cause::Ended(reason);
             }
         }
-        let ended = |branch: A::Branch| {
+        let ended = |branch: G::Branch| {
             crate::Branch::of(branch, offers).as_ref().and_then(|offer| offer.as_ref().err().copied())
         };
         self.branch.and_then(ended).map_or(Cause::Steep, Cause::Ended)
     }
 
     /// The step to a pose that no continuous step reaches.
-    fn flip(&self, pose: &Pose<T>, offers: &Offers<T, N, A::Branch>) -> Step<T, N, A::Branch> {
+    fn flip(&self, pose: &Pose<T>, offers: &Offers<T, N, G::Branch>) -> Step<T, N, G::Branch> {
         let all = offers.as_ref().iter().flatten().flatten().copied();
         let Some(choice) = self.longest(pose, all, false) else {
-            return Step::Blocked(refusal::<T, N, A::Branch>(offers));
+            return Step::Blocked(refusal::<T, N, G::Branch>(offers));
         };
         let (mut joint, mut most, mut jump) = (0, T::lit(-1.0), T::lit(0.0));
         let ways = combined(&choice.winding.q, &self.seat.q, |a, b| math::abs(a - b));
@@ -289,13 +302,13 @@ impl<'a, A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = P
     }
 }
 
-impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<T>> + Clone> Iterator
-    for Track<'_, A, T, N, I>
+impl<A: Arm<N>, T: Float, const N: usize, I: Iterator<Item = G::Target<T>> + Clone, G: Goal<A, N>> Iterator
+    for Track<'_, A, T, N, I, G>
 {
-    type Item = Step<T, N, A::Branch>;
+    type Item = Step<T, N, G::Branch>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let pose = self.path.next()?;
+        let pose = G::pose(&self.path.next()?);
         if !pose::entries(&self.seat.q).iter().all(|value| math::is_finite(*value)) {
             return Some(Step::Blocked(Reason::NotFinite));
         }

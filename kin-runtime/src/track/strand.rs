@@ -1,10 +1,9 @@
 //! One step of a strand: what the branches offer from where the joints are, which of it continues, and which heads on.
 
-use super::{ASIDE, Track};
-use crate::arm::InverseKinematics;
+use super::{ASIDE, Goal, Track};
+use crate::arm::Arm;
 use crate::choice::{Offers, offers};
 use crate::ik::given_out;
-use crate::ik::settle::settle;
 use crate::ik::target::distance;
 use crate::limits::Limits;
 use crate::math::{self, Float};
@@ -57,8 +56,8 @@ pub(super) struct Choice<T, const N: usize, B> {
     pub(super) off: T,
 }
 
-impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<T>> + Clone>
-    Track<'_, A, T, N, I>
+impl<A: Arm<N>, T: Float, const N: usize, I: Iterator<Item = G::Target<T>> + Clone, G: Goal<A, N>>
+    Track<'_, A, T, N, I, G>
 {
     /// What the branches offer at a pose to joints that stand there.
     pub(super) fn offers(
@@ -67,8 +66,8 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         pose: &Pose<T>,
         hold: &Joints<T, N>,
         limits: &Limits<N>,
-    ) -> Offers<T, N, A::Branch> {
-        offers(&|hold: &_| self.arm.ik_holding(pose, hold), &A::JOINTS, (&seat.q, hold), limits)
+    ) -> Offers<T, N, G::Branch> {
+        offers(&|hold: &_| G::solutions(self.arm, pose, hold), &A::JOINTS, (&seat.q, hold), limits)
     }
 
     /// Whether the step is a continuous one.
@@ -80,7 +79,7 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         }
         let halfway = combined(&seat.q, to, |a, b| a + (b - a) * T::lit(0.5));
         let [here, middle, there] =
-            [self.arm.fk(&seat.q), self.arm.fk(&halfway), *pose].map(|p| self.scaled(&p));
+            [G::reached(self.arm, &seat.q), G::reached(self.arm, &halfway), *pose].map(|p| self.scaled(&p));
         let (mut apart, mut aside) = (T::lit(0.0), T::lit(0.0));
         for ((a, b), m) in here.iter().zip(&there).zip(&middle) {
             let mean = pose::entries(&combined(&pose::column(*a), &pose::column(*b), |a, b| {
@@ -114,9 +113,9 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         &self,
         seat: &Seat<T, N>,
         pose: &Pose<T>,
-        offers: &Offers<T, N, A::Branch>,
-    ) -> (Option<Choice<T, N, A::Branch>>, usize) {
-        let (mut best, mut count): (Option<Choice<T, N, A::Branch>>, usize) = (None, 0);
+        offers: &Offers<T, N, G::Branch>,
+    ) -> (Option<Choice<T, N, G::Branch>>, usize) {
+        let (mut best, mut count): (Option<Choice<T, N, G::Branch>>, usize) = (None, 0);
         for winding in offers.as_ref().iter().flatten().flatten() {
             if !self.continues(seat, pose, &winding.q) {
                 continue;
@@ -131,7 +130,7 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
     }
 
     /// The continuous step that heads on, without looking further ahead.
-    pub(super) fn headed(&self, seat: &Seat<T, N>, pose: &Pose<T>) -> Option<Winding<T, N, A::Branch>> {
+    pub(super) fn headed(&self, seat: &Seat<T, N>, pose: &Pose<T>) -> Option<Winding<T, N, G::Branch>> {
         let offers = self.offers(seat, pose, &seat.q, &self.limits);
         let headed = self.heading(seat, pose, &offers).0.map(|choice| choice.winding);
         self.steadied(seat, pose, headed, &offers)
@@ -143,13 +142,13 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         &self,
         seat: &Seat<T, N>,
         pose: &Pose<T>,
-        offers: &Offers<T, N, A::Branch>,
-    ) -> Option<Winding<T, N, A::Branch>> {
+        offers: &Offers<T, N, G::Branch>,
+    ) -> Option<Winding<T, N, G::Branch>> {
         let heading = combined(&seat.q, &seat.way, |a, b| a + b);
-        let (q, residual) = settle(self.arm, pose, &heading)?;
+        let (q, residual) = G::settled(self.arm, pose, &heading)?;
         // Where nothing is offered, the pose that the joints were heading for is nearly this one.
         let like = self.nearest(seat, offers).or_else(|| {
-            let offers = self.offers(seat, &self.arm.fk(&heading), &heading, &Limits::NONE);
+            let offers = self.offers(seat, &G::reached(self.arm, &heading), &heading, &Limits::NONE);
             self.nearest(seat, &offers)
         });
         let like = like?.solution;
@@ -162,9 +161,9 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
     fn nearest(
         &self,
         seat: &Seat<T, N>,
-        offers: &Offers<T, N, A::Branch>,
-    ) -> Option<Winding<T, N, A::Branch>> {
-        let mut nearest: Option<(Winding<T, N, A::Branch>, T)> = None;
+        offers: &Offers<T, N, G::Branch>,
+    ) -> Option<Winding<T, N, G::Branch>> {
+        let mut nearest: Option<(Winding<T, N, G::Branch>, T)> = None;
         for winding in offers.as_ref().iter().flatten().flatten() {
             let off = self.off(seat, &winding.q);
             if nearest.as_ref().is_none_or(|(_, least)| off < *least) {
@@ -180,9 +179,9 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         &self,
         seat: &Seat<T, N>,
         pose: &Pose<T>,
-        headed: Option<Winding<T, N, A::Branch>>,
-        offers: &Offers<T, N, A::Branch>,
-    ) -> Option<Winding<T, N, A::Branch>> {
+        headed: Option<Winding<T, N, G::Branch>>,
+        offers: &Offers<T, N, G::Branch>,
+    ) -> Option<Winding<T, N, G::Branch>> {
         let Some(found) = headed.or_else(|| self.let_go(seat, pose, offers)) else {
             return self.settled(seat, pose, offers);
         };
@@ -192,7 +191,7 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         // A free coordinate may keep its value at a small price; it lets go of it where that is several times the other's.
         let price = if found.solution.is_isolated() { T::lit(1.0) } else { T::lit(4.0) };
         let nearer =
-            |near: &Winding<T, N, A::Branch>| self.off(seat, &near.q) * price < self.off(seat, &found.q);
+            |near: &Winding<T, N, G::Branch>| self.off(seat, &near.q) * price < self.off(seat, &found.q);
         Some(self.settled(seat, pose, offers).filter(nearer).unwrap_or(found))
     }
 
@@ -201,7 +200,7 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
     /// Near a singular pose the figures give what rounding left of the joints. And where two sets meet, the members that keep
     /// one of the free coordinates may be bent the other way: with joint 1 held, a wrist centre on axis 1 leaves a straight
     /// wrist bent by next to nothing, but towards a side of its own.
-    fn is_steady(&self, seat: &Seat<T, N>, found: &Winding<T, N, A::Branch>) -> bool {
+    fn is_steady(&self, seat: &Seat<T, N>, found: &Winding<T, N, G::Branch>) -> bool {
         let calm =
             self.metric.between(&seat.q, &found.q).largest <= T::lit(2.0) * self.metric.size(&seat.way);
         if !found.solution.is_isolated() {
@@ -210,7 +209,7 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         let (margins, reach) = (found.solution.margins, T::lit(self.arm.reach()));
         let wrist = margins.wrist.unwrap_or(reach);
         let (angle, length) =
-            if A::Branch::MIRRORED { (margins.shoulder, wrist) } else { (wrist, margins.shoulder) };
+            if G::Branch::MIRRORED { (margins.shoulder, wrist) } else { (wrist, margins.shoulder) };
         let near = if calm { T::lit(64.0) * math::sqrt(T::EPS) } else { T::lit(STARTLED) };
         math::min(angle, length / reach) > near
     }
@@ -220,8 +219,8 @@ impl<A: InverseKinematics<N>, T: Float, const N: usize, I: Iterator<Item = Pose<
         &self,
         seat: &Seat<T, N>,
         pose: &Pose<T>,
-        held: &Offers<T, N, A::Branch>,
-    ) -> Option<Winding<T, N, A::Branch>> {
+        held: &Offers<T, N, G::Branch>,
+    ) -> Option<Winding<T, N, G::Branch>> {
         if held.as_ref().iter().flatten().flatten().all(|winding| winding.solution.is_isolated()) {
             return None;
         }

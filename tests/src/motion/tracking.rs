@@ -98,7 +98,7 @@ const SETS: [[Set; 3]; 2] = [
 ];
 
 /// Brings one joint to where a factor vanishes, if it does so in the half turn or the reach that lies ahead.
-fn onto<A: Factored<6>>(arm: &A, q: &mut Joints<f64, 6>, (factor, joint): Set) -> bool {
+fn onto<const N: usize, A: Factored<N>>(arm: &A, q: &mut Joints<f64, N>, (factor, joint): Set) -> bool {
     let at = |value: f64| {
         let mut q = *q;
         q[joint] = value;
@@ -107,7 +107,8 @@ fn onto<A: Factored<6>>(arm: &A, q: &mut Joints<f64, 6>, (factor, joint): Set) -
     let way = if A::JOINTS[joint].kind == JointKind::Prismatic { arm.reach() } else { PI };
     let (mut low, mut high) = (q[joint], q[joint] + way);
     let start = at(low);
-    if !(start * at(high) <= 0.0) {
+    let product = start * at(high);
+    if product > 0.0 || product.is_nan() {
         return false;
     }
     for _ in 0..80 {
@@ -121,9 +122,9 @@ fn onto<A: Factored<6>>(arm: &A, q: &mut Joints<f64, 6>, (factor, joint): Set) -
 }
 
 /// Joint values on the singular sets that are bits of `sets`.
-fn aimed<A: Factored<6>>(arm: &A, sets: u64, random: &mut Sampler) -> Joints<f64, 6> {
+fn aimed<const N: usize, A: Factored<N>>(arm: &A, sets: u64, random: &mut Sampler) -> Joints<f64, N> {
     loop {
-        let mut q = Joints::from(random.angles::<6>());
+        let mut q = Joints::from(random.angles::<N>());
         for (value, joint) in q.iter_mut().zip(A::JOINTS) {
             if joint.kind == JointKind::Prismatic {
                 *value = random.between(-0.5, 0.5) * arm.reach();
@@ -138,8 +139,12 @@ fn aimed<A: Factored<6>>(arm: &A, sets: u64, random: &mut Sampler) -> Joints<f64
 }
 
 /// A smooth path of joint values through `q`, which is its middle or between two of its poses.
-fn smooth<A: Arm<6>>(arm: &A, q: &Joints<f64, 6>, random: &mut Sampler) -> Vec<Joints<f64, 6>> {
-    let mut speed = Joints::<f64, 6>::zeros();
+fn smooth<const N: usize, A: Arm<N>>(
+    arm: &A,
+    q: &Joints<f64, N>,
+    random: &mut Sampler,
+) -> Vec<Joints<f64, N>> {
+    let mut speed = Joints::<f64, N>::zeros();
     let mut bend = speed;
     for (joint, (speed, bend)) in speed.iter_mut().zip(bend.iter_mut()).enumerate() {
         let unit = if A::JOINTS[joint].kind == JointKind::Prismatic { 0.5 * arm.reach() } else { 1.0 };
@@ -153,34 +158,58 @@ fn smooth<A: Arm<6>>(arm: &A, q: &Joints<f64, 6>, random: &mut Sampler) -> Vec<J
 }
 
 /// How far joint values are apart, slides in reaches.
-fn apart<A: Arm<6>>(arm: &A, a: &Joints<f64, 6>, b: &Joints<f64, 6>) -> f64 {
+fn apart<const N: usize, A: Arm<N>>(arm: &A, a: &Joints<f64, N>, b: &Joints<f64, N>) -> f64 {
     let unit = |joint: usize| if A::JOINTS[joint].kind == JointKind::Prismatic { arm.reach() } else { 1.0 };
-    (0..6).map(|joint| (a[joint] - b[joint]).abs() / unit(joint)).fold(0.0, f64::max)
+    (0..N).map(|joint| (a[joint] - b[joint]).abs() / unit(joint)).fold(0.0, f64::max)
 }
 
-/// The largest entry of the difference, lengths divided by the reach.
-fn difference(a: &Pose<f64>, b: &Pose<f64>, reach: f64) -> f64 {
-    let rotation = (a.rotation.matrix() - b.rotation.matrix()).amax();
-    rotation.max((a.translation.vector - b.translation.vector).amax() / reach)
+/// The largest entry of the difference, lengths divided by the reach; of an arm of three joints only the place counts.
+fn difference<const N: usize>(a: &Pose<f64>, b: &Pose<f64>, reach: f64) -> f64 {
+    let turned = if N == 6 { (a.rotation.matrix() - b.rotation.matrix()).amax() } else { 0.0 };
+    turned.max((a.translation.vector - b.translation.vector).amax() / reach)
 }
 
 /// The joint values of a path, as the try with this number makes them.
-pub fn path<A: Factored<6>>(arm: &A, sets: u64, random: &mut Sampler) -> Vec<Joints<f64, 6>> {
+pub fn path<const N: usize, A: Factored<N>>(arm: &A, sets: u64, random: &mut Sampler) -> Vec<Joints<f64, N>> {
     let q = aimed(arm, sets, random);
     smooth(arm, &q, random)
 }
 
+/// A path of poses.
 fn follow<A: Factored<6> + InverseKinematics<6>>(
     arm: &A,
-    (trial, sets): (u64, u64),
+    at: (u64, u64),
     random: &mut Sampler,
     found: &mut Findings,
 ) {
-    let made = path(arm, sets, random);
-    let poses: Vec<Pose<f64>> = made.iter().map(|q| arm.fk(q)).collect();
+    let made = path(arm, at.1, random);
+    let poses = made.iter().map(|q| arm.fk(q));
+    judge(arm, at, &made, arm.track(&made[0], poses), found);
+}
+
+/// A path of points.
+fn follow_points<A: Factored<3> + PositionInverse<3>>(
+    arm: &A,
+    at: (u64, u64),
+    random: &mut Sampler,
+    found: &mut Findings,
+) {
+    let made = path(arm, at.1, random);
+    let points = made.iter().map(|q| Point3::from(arm.fk(q).translation.vector));
+    judge(arm, at, &made, arm.track_position(&made[0], points), found);
+}
+
+/// What became of a path.
+fn judge<const N: usize, A: Arm<N>, B: Branch>(
+    arm: &A,
+    (trial, sets): (u64, u64),
+    made: &[Joints<f64, N>],
+    steps: impl Iterator<Item = Step<f64, N, B>>,
+    found: &mut Findings,
+) {
     found.tries[sets.count_ones() as usize] += 1;
     let mut before = made[0];
-    for (index, step) in arm.track(&made[0], poses.iter().copied()).enumerate() {
+    for (index, step) in steps.enumerate() {
         found.poses += 1;
         let at = match step {
             Step::Continuous(at) => at,
@@ -193,7 +222,8 @@ fn follow<A: Factored<6> + InverseKinematics<6>>(
                 return;
             }
         };
-        found.residual.see(difference(&arm.fk(&at.q), &poses[index], arm.reach()) / f64::EPSILON, trial);
+        let missed = difference::<N>(&arm.fk(&at.q), &arm.fk(&made[index]), arm.reach());
+        found.residual.see(missed / f64::EPSILON, trial);
         let step = apart(arm, &at.q, &before);
         found.step.see(step, trial);
         found.long += u64::from(index > 0 && step > 4.0 * apart(arm, &made[index], &made[index - 1]));
@@ -203,9 +233,10 @@ fn follow<A: Factored<6> + InverseKinematics<6>>(
     found.others += u64::from(apart(arm, &before, &made[POSES - 1]) > 1e-6);
 }
 
-/// Which arm and which sets a try has.
+/// Which arm and which sets a try has; an arm of three joints has no wrist.
 pub fn trial_of(trial: u64) -> (u64, u64) {
-    (trial % 7, trial / 7 % 8)
+    let (arm, sets) = (trial % 9, trial / 9 % 8);
+    (arm, if arm < 7 { sets } else { sets & 3 })
 }
 
 /// The generator of a try.
@@ -227,7 +258,9 @@ pub fn run(seed: u64, tries: std::ops::Range<u64>) -> Findings {
             3 => follow(&robots::Stanford, at, random, found),
             4 => follow(&Skew, at, random, found),
             5 => follow(&Oblique, at, random, found),
-            _ => follow(&Ball, at, random, found),
+            6 => follow(&Ball, at, random, found),
+            7 => follow_points(&robots::LabRrr, at, random, found),
+            _ => follow_points(&robots::Al5d, at, random, found),
         }
     }
     found
