@@ -21,9 +21,9 @@
 //! as any solution: where two singular sets meet, the one member that goes on is found so, and no other is near it. (With the
 //! wrist centre on axis 1 and the wrist straight, a joint 1 that is off by 1e-3 bends the wrist towards a side of its own.)
 //!
-//! Over 1,000,000 random paths of 41 poses by seven arms, elbow, slide, three skew axes, an oblique wrist, a spherical shoulder
-//! among them, an eighth through no singular set, three eighths each through one and where two meet, an eighth where three do,
-//! none flips and none is blocked: `cargo run --release -p tests --bin motion -- --trajectories 0 --crossings 0 --paths 1e6`.
+//! Random paths of 41 poses, all in sight, by nine arms (elbow, slide, three skew axes, an oblique wrist, a spherical shoulder, two
+//! solved from positions), through no singular set, through one, and where two and three meet, are followed by
+//! `cargo run --release -p tests --bin motion -- --trajectories 0 --crossings 0 --paths 1e6`, which fails if one flips.
 //! A choice whose consequence lies farther ahead is made by heading alone; and where two branches both continue, the path alone
 //! cannot tell which of them it came from.
 //!

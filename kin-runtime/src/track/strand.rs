@@ -10,9 +10,6 @@ use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::solutions::{Branch, Reason, Solution, Winding};
 
-/// How near to a singular pose a step that is suddenly long is doubted: the angle of a wrist, or a distance in reaches.
-const STARTLED: f64 = 1e-3;
-
 /// Where the joints are, and by how much they came there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seat<T, const N: usize> {
@@ -189,29 +186,30 @@ impl<A: Arm<N>, T: Float, const N: usize, I: Iterator<Item = G::Target<T>> + Clo
             return Some(found);
         }
         // A free coordinate may keep its value at a small price; it lets go of it where that is several times the other's.
-        let price = if found.solution.is_isolated() { T::lit(1.0) } else { T::lit(4.0) };
+        let price = if self.is_calm(seat, &found) { T::lit(1.0) } else { T::lit(4.0) };
         let nearer =
             |near: &Winding<T, N, G::Branch>| self.off(seat, &near.q) * price < self.off(seat, &found.q);
         Some(self.settled(seat, pose, offers).filter(nearer).unwrap_or(found))
     }
 
+    /// Whether a step is not suddenly much longer than the one before it.
+    fn is_calm(&self, seat: &Seat<T, N>, found: &Winding<T, N, G::Branch>) -> bool {
+        self.metric.between(&seat.q, &found.q).largest <= T::lit(2.0) * self.metric.size(&seat.way)
+    }
+
     /// Whether an offer can be trusted to be where the joints are heading, if any is there.
     ///
-    /// Near a singular pose the figures give what rounding left of the joints. And where two sets meet, the members that keep
-    /// one of the free coordinates may be bent the other way: with joint 1 held, a wrist centre on axis 1 leaves a straight
-    /// wrist bent by next to nothing, but towards a side of its own.
+    /// Near a singular pose the figures give what rounding left of the joints, or nothing where they were, and the nearest
+    /// branch beside it. And where two sets meet, the members that keep one of the free coordinates may be bent the other way:
+    /// with joint 1 held, a wrist centre on axis 1 leaves a straight wrist bent by next to nothing, but towards a side of its
+    /// own. Such steps are suddenly long.
     fn is_steady(&self, seat: &Seat<T, N>, found: &Winding<T, N, G::Branch>) -> bool {
-        let calm =
-            self.metric.between(&seat.q, &found.q).largest <= T::lit(2.0) * self.metric.size(&seat.way);
-        if !found.solution.is_isolated() {
-            return calm;
-        }
         let (margins, reach) = (found.solution.margins, T::lit(self.arm.reach()));
         let wrist = margins.wrist.unwrap_or(reach);
         let (angle, length) =
             if G::Branch::MIRRORED { (margins.shoulder, wrist) } else { (wrist, margins.shoulder) };
-        let near = if calm { T::lit(64.0) * math::sqrt(T::EPS) } else { T::lit(STARTLED) };
-        math::min(angle, length / reach) > near
+        let far = math::min(angle, length / reach) > T::lit(64.0) * math::sqrt(T::EPS);
+        self.is_calm(seat, found) && (far || !found.solution.is_isolated())
     }
 
     /// Free coordinates that go on as they were heading, where none of the members that keep them continues.

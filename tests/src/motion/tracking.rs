@@ -1,8 +1,9 @@
 //! Paths through singular poses, followed by [`track`](kin_runtime::track).
 //!
 //! A path is made of joint values that move smoothly through one singular set, or where several meet. The poses are all that is
-//! followed, so that there is a continuous choice from the first to the last: every flip is one that need not be. The tracker may
-//! take other joint values than those that made the path, where branches meet; they too must go on to the end.
+//! followed, so that there is a continuous choice from the first to the last: every flip is one that need not be. All of the path
+//! is within the poses ahead, so that no choice can be blamed on what could not be seen. The tracker may take other joint values
+//! than those that made the path, where branches meet; they too must go on to the end.
 
 use std::f64::consts::PI;
 
@@ -184,7 +185,7 @@ fn follow<A: Factored<6> + InverseKinematics<6>>(
 ) {
     let made = path(arm, at.1, random);
     let poses = made.iter().map(|q| arm.fk(q));
-    judge(arm, at, &made, arm.track(&made[0], poses), found);
+    judge(arm, at, &made, arm.track(&made[0], poses).ahead(POSES), found);
 }
 
 /// A path of points.
@@ -196,7 +197,7 @@ fn follow_points<A: Factored<3> + PositionInverse<3>>(
 ) {
     let made = path(arm, at.1, random);
     let points = made.iter().map(|q| Point3::from(arm.fk(q).translation.vector));
-    judge(arm, at, &made, arm.track_position(&made[0], points), found);
+    judge(arm, at, &made, arm.track_position(&made[0], points).ahead(POSES), found);
 }
 
 /// What became of a path.
