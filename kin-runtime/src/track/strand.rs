@@ -232,7 +232,13 @@ impl<A: Arm<N>, T: Float, const N: usize, I: Iterator<Item = G::Target<T>> + Clo
         let mut worst: Option<(usize, T)> = None;
         for (joint, value) in pose::entries(q).into_iter().enumerate() {
             let Some((low, high)) = self.limits.range(joint) else { continue };
-            let by = math::max(T::lit(low) - value, value - T::lit(high));
+            let (low, high) = (T::lit(low), T::lit(high));
+            if low <= value && value <= high {
+                continue;
+            }
+            // No value keeps a range that ends in what is not a number.
+            let by = math::max(low - value, value - high);
+            let by = if by > T::lit(0.0) { by } else { T::lit(f64::INFINITY) };
             if by > worst.map_or(T::lit(0.0), |(_, most)| most) {
                 worst = Some((joint, by));
             }
