@@ -10,14 +10,14 @@
 
 use crate::ik::bends::{Aimed, Angles, Bent, Turned, joint_values};
 use crate::ik::elbow::{self, Elbows, Seen, Side};
-use crate::ik::side::slots;
+use crate::ik::side::{self, slots};
 use crate::ik::target::{self, is_accepted};
 use crate::ik::wrist::Rows;
 use crate::ik::{ElbowBase, ROUND_OFF};
 use crate::math::{Float, Lanes};
 use crate::pose::{self, Pose};
 use crate::private::SolveWrist;
-use crate::solutions::{Bend, Posture, Reason, Solutions, tolerance};
+use crate::solutions::{Bend, Posture, Reason, Solutions};
 
 /// How many angles the rotation of a wrist may have here: those of the first three joints.
 pub(super) const TURNS: usize = 4;
@@ -112,7 +112,7 @@ impl<T: Float, const L: usize> Abreast<T, L> {
         poses: &[Pose<T>; L],
         places: &mut [Option<Solutions<T, 6, Posture>>; L],
     ) {
-        let far = T::lit(64.0) * tolerance::<T>();
+        let far = side::far();
         // By itself: where a pose's numbers stand one after the other no vector is to be had.
         self.poses = pose::gathered(poses);
         for lane in 0..L {

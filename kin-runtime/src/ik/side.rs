@@ -39,6 +39,12 @@ pub(crate) fn transposed<T>([a, b, c, d]: [[T; 6]; 4]) -> [Four<T>; 6] {
     ]
 }
 
+/// A figure larger than this is far from a singular one: an angle or its sine, or a length over the size.
+#[inline(always)]
+pub(super) fn far<T: Float>() -> T {
+    T::lit(64.0) * tolerance::<T>()
+}
+
 /// All solutions of an arm with an elbow and an orthogonal wrist, if no figure is near a singular one: so far from it that no
 /// two solutions can be one, nothing is free, and nothing is in doubt.
 #[inline(always)]
@@ -47,7 +53,7 @@ pub(crate) fn regular<T: Float, A: SolveWrist<6>>(
     target: &Target<T>,
     base: &ElbowBase<T>,
 ) -> Option<Solutions<T, 6, Posture>> {
-    let (one, far) = (T::lit(1.0), T::lit(64.0) * tolerance::<T>());
+    let (one, far) = (T::lit(1.0), far());
     let far_away = far * math::max(target.scale, one);
     let centre = arm.wrist_centre(&target.pose);
     let seen = Seen::new(base, centre.map(|x| Lanes([x; 2])));
