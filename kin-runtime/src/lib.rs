@@ -131,8 +131,8 @@
 //! [`batch`] slices of configurations and poses · [`singularity`] · [`dual`] rates of change · [`dynamic`] arms behind
 //! references · [`math`] numbers.
 //!
-//! The feature `std`, a default, lets batches find the widest instructions of the machine, and roots stand side by side; it
-//! does nothing but on x86-64 with an operating system. `rayon` lets batches have all threads of the machine. The feature
+//! The feature `std`, a default, lets inverses and batches find the widest instructions of the machine, and roots stand side by
+//! side; it does nothing but on x86-64 with an operating system. `rayon` lets batches have all threads of the machine. The feature
 //! `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
 
@@ -156,6 +156,7 @@ pub mod solutions;
 pub mod track;
 pub mod trajectory;
 pub mod watch;
+mod widths;
 
 pub use arm::{Arm, InverseKinematics, Joint, JointKind, LengthUnit, PositionInverse, SphericalWrist};
 pub use batch::{Batch, BatchError};

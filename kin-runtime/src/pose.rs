@@ -153,20 +153,12 @@ pub(crate) fn rows<T: Real>(pose: &Pose<T>) -> ([[T; 3]; 3], [T; 3]) {
     (matrix_rows(pose.rotation.matrix()), position)
 }
 
-/// The same pose in every lane.
+/// One of several poses.
 #[inline(always)]
-pub(crate) fn side_by_side<T: Float, const L: usize>(pose: &Pose<T>) -> Pose<Lanes<T, L>> {
-    let ([[a, b, c], [d, e, f], [g, h, i]], [x, y, z]) = rows(pose);
-    let row = |x, y, z| [Lanes::splat(x), Lanes::splat(y), Lanes::splat(z)];
-    from_rows([row(a, b, c), row(d, e, f), row(g, h, i)], row(x, y, z))
-}
-
-/// One of several poses, alone.
-#[inline(always)]
-pub(crate) fn one<T: Float, const L: usize>(poses: &Pose<Lanes<T, L>>, lane: usize) -> Pose<Lanes<T, 1>> {
+pub(crate) fn one<T: Float, const L: usize>(poses: &Pose<Lanes<T, L>>, lane: usize) -> Pose<T> {
     let ([[a, d, g], [b, e, h], [c, f, i]], [[x, y, z]]) =
         (&poses.rotation.matrix().data.0, &poses.translation.vector.data.0);
-    let row = |x: &Lanes<T, L>, y: &Lanes<T, L>, z: &Lanes<T, L>| [x.one(lane), y.one(lane), z.one(lane)];
+    let row = |x: &Lanes<T, L>, y: &Lanes<T, L>, z: &Lanes<T, L>| [x.lane(lane), y.lane(lane), z.lane(lane)];
     from_rows([row(a, b, c), row(d, e, f), row(g, h, i)], row(x, y, z))
 }
 

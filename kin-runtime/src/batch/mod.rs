@@ -23,7 +23,6 @@
 //!
 //! ```text
 //! run        how: threads, progress, early ends
-//! widths     for which instructions
 //! forward    from joints to poses and Jacobians
 //! inverse    from poses to solutions
 //! ```
@@ -33,10 +32,9 @@ mod inverse;
 mod run;
 #[cfg(test)]
 mod tests;
-mod widths;
 
+pub use crate::widths::Instructions;
 pub use run::{Progress, Run};
-pub use widths::Instructions;
 
 use crate::arm::{Arm, InverseKinematics};
 use crate::math::Float;

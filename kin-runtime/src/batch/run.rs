@@ -2,11 +2,11 @@
 
 use super::forward::{Forward, Jacobians, Poses};
 use super::inverse::Backward;
-use super::widths::{self, Instructions};
 use super::{BatchError, Found};
 use crate::arm::{Arm, InverseKinematics};
 use crate::math::Float;
 use crate::pose::{Jacobian, Joints, Pose};
+use crate::widths::{self, Instructions};
 use core::ops::ControlFlow;
 
 /// So many elements, tens of microseconds of forward kinematics, are the least that is worth a thread's while.
@@ -89,7 +89,8 @@ impl Run<'_> {
         self
     }
 
-    /// With no wider instructions than these.
+    /// With no wider instructions than these, in the loops of the batch. A pose that is solved by itself is solved as
+    /// [`InverseKinematics::ik`] does.
     #[must_use]
     pub const fn at_most(mut self, instructions: Instructions) -> Self {
         self.at_most = instructions;
@@ -201,7 +202,11 @@ impl Threads {
 
     fn run(self, work: impl Work, at_most: Instructions) {
         match self {
-            Threads::Here => widths::run(work, at_most),
+            Threads::Here => widths::run(
+                #[inline(always)]
+                || work.run(),
+                at_most,
+            ),
             #[cfg(feature = "rayon")]
             Threads::All => halved(work, at_most),
         }
@@ -212,7 +217,11 @@ impl Threads {
 #[cfg(feature = "rayon")]
 fn halved(work: impl Work, at_most: Instructions) {
     if work.len() <= CHUNK {
-        return widths::run(work, at_most);
+        return widths::run(
+            #[inline(always)]
+            || work.run(),
+            at_most,
+        );
     }
     let chunks = work.len() / CHUNK;
     let (one, other) = work.split_at(chunks.div_ceil(2) * CHUNK);

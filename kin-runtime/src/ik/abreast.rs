@@ -1,26 +1,21 @@
 //! Poses abreast: the branches of a batch's poses, in loops over the poses.
 //!
-//! The loops have no branch and no call, so that compilers make vectors of them, as wide as the machine has them. What they do
-//! is the program for branches side by side ([`elbow`](crate::ik::elbow), [`bends`](crate::ik::bends)) with a single lane,
-//! step by step: each loop is as short as what a processor looks ahead, and many of its passes go on at once. Between two
-//! steps the numbers stand in memory, pose beside pose.
+//! What they do is what [`side`](crate::ik::side) does for one pose, with the same bits: there the lanes are its shoulders and its
+//! placements, here each shoulder and each placement has the poses for its lanes.
 //!
 //! Everything is inlined into the loop over a batch that is compiled for an instruction set. Poses of which some figure is near
 //! a singular one, and what is no pose at all, are left to the solver of a single one.
 
-use crate::ik::bends::{Aimed, Angles, Bent, Turned, joint_values};
 use crate::ik::elbow::{self, Elbows, Seen, Side};
 use crate::ik::side::{self, slots};
-use crate::ik::target::{self, is_accepted};
+use crate::ik::target::{self, unless};
 use crate::ik::wrist::Rows;
+use crate::ik::wrists::{Wrists, set, three};
 use crate::ik::{ElbowBase, ROUND_OFF};
-use crate::math::{Float, Lanes};
+use crate::math::{self, Float, Lanes};
 use crate::pose::{self, Pose};
 use crate::private::SolveWrist;
-use crate::solutions::{Bend, Posture, Reason, Solutions};
-
-/// How many angles the rotation of a wrist may have here: those of the first three joints.
-pub(super) const TURNS: usize = 4;
+use crate::solutions::{Posture, Reason, Solutions};
 
 /// Room for what is known of poses abreast: as the base is solved, then the wrist. Where a cache line begins, so that no vector
 /// lies across two.
@@ -30,79 +25,47 @@ pub(super) struct Abreast<T, const L: usize> {
     /// The sizes against which the poses are judged, and one over them.
     scale: Lanes<T, L>,
     per_scale: Lanes<T, L>,
-    /// The distance of the wrist centre from the plane in which both shoulders are one, and how far is far away from it.
-    half: Lanes<T, L>,
+    /// How large a figure far away from a singular one is.
     far_away: Lanes<T, L>,
-    /// The right shoulder and the left one.
-    shoulders: [Shoulder<T, L>; 2],
-}
-
-/// A shoulder, and its placements with the elbow up and down.
-#[derive(Clone, Copy)]
-struct Shoulder<T, const L: usize> {
-    side: Side<T, L>,
-    elbows: Elbows<T, L>,
-    /// Sine and cosine of the row value of joint 1.
-    first: [Lanes<T, L>; 2],
-    /// 0 where no figure is near a singular one, if the links close.
+    /// The wrist centre seen from axis 1.
+    x: Lanes<T, L>,
+    y: Lanes<T, L>,
+    across: Lanes<T, L>,
+    half: Lanes<T, L>,
+    v: Lanes<T, L>,
+    /// 0 for a pose that stands for itself, and whose shoulders are far apart.
     doubt: Lanes<T, L>,
-    wrists: [Wrist<T, L>; 2],
+    /// The right ones and the left ones, and the wrists over them with the elbow up and down.
+    shoulders: [Shoulders<T, L>; 2],
+    wrists: [[Wrists<T, L>; 2]; 2],
 }
 
-/// The wrist over a placement, step by step.
-#[derive(Clone, Copy)]
-struct Wrist<T, const L: usize> {
-    sines: [Lanes<T, L>; TURNS],
-    cosines: [Lanes<T, L>; TURNS],
-    matrix: [[Lanes<T, L>; 3]; 3],
-    sine: Lanes<T, L>,
-    angles: Angles<T, L>,
-    /// How far forward kinematics of both bends misses the pose.
-    residual: [Lanes<T, L>; 2],
-}
-
-/// Sets a lane of many places to the only lane of as many values.
-macro_rules! set {
-    ($lane:ident: $($place:expr, $value:expr;)*) => { $($place.put($lane, $value.lane(0));)* };
-}
-
-/// The three of one lane.
-macro_rules! three {
-    ($lanes:expr, $lane:expr) => {
-        [$lanes[0].one($lane), $lanes[1].one($lane), $lanes[2].one($lane)]
-    };
-}
+/// Which side of axis 1 the right shoulder is on, and the left one.
+const SIGNS: [f64; 2] = [1.0, -1.0];
 
 impl<T: Float, const L: usize> Abreast<T, L> {
     /// Room that is to be filled.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let zero = Lanes::splat(T::lit(0.0));
-        let wrist = Wrist {
-            sines: [zero; TURNS],
-            cosines: [zero; TURNS],
-            matrix: [[zero; 3]; 3],
-            sine: zero,
-            angles: Angles { noflip: [zero; 3], flip: [zero; 3], margin: zero },
-            residual: [zero; 2],
-        };
-        let side = Side {
-            spare: zero,
-            square: zero,
-            centre: [zero; 2],
-            plane: [zero; 2],
-            bend: [zero; 2],
-            lean: [zero; 2],
-            sign: zero,
-        };
-        let elbows = Elbows { rows: [[zero; 3]; 2], margin: zero };
-        let shoulder = Shoulder { side, elbows, first: [zero; 2], doubt: zero, wrists: [wrist; 2] };
-        let poses = pose::from_rows([[zero; 3]; 3], [zero; 3]);
-        Abreast { poses, scale: zero, per_scale: zero, half: zero, far_away: zero, shoulders: [shoulder; 2] }
+        Abreast {
+            poses: pose::from_rows([[zero; 3]; 3], [zero; 3]),
+            scale: zero,
+            per_scale: zero,
+            far_away: zero,
+            x: zero,
+            y: zero,
+            across: zero,
+            half: zero,
+            v: zero,
+            doubt: zero,
+            shoulders: [Shoulders::new(); 2],
+            wrists: [[Wrists::new(); 2]; 2],
+        }
     }
 
     /// All solutions of as many poses as there are lanes, where every figure is far from a singular one as in
-    /// [`side::regular`](crate::ik::side::regular); nothing in the other places.
+    /// [`side::regular`]; nothing in the other places.
     #[inline(always)]
     pub(super) fn solve<A: SolveWrist<6>>(
         &mut self,
@@ -118,34 +81,39 @@ impl<T: Float, const L: usize> Abreast<T, L> {
         for lane in 0..L {
             self.see(lane, arm, base, far);
         }
-        for shoulder in &mut self.shoulders {
+        for (shoulders, sign) in self.shoulders.iter_mut().zip(SIGNS) {
             for lane in 0..L {
-                shoulder.close(lane, base, self.far_away.one(lane));
+                let seen = Seen {
+                    x: self.x.lane(lane),
+                    y: self.y.lane(lane),
+                    across: self.across.lane(lane),
+                    half: self.half.lane(lane),
+                    v: self.v.lane(lane),
+                };
+                let window = T::lit(ROUND_OFF) * T::EPS * self.scale.lane(lane);
+                shoulders.close(lane, base, &seen, T::lit(sign), [window, self.far_away.lane(lane)]);
             }
         }
-        for shoulder in &mut self.shoulders {
-            for (wrist, rows) in shoulder.wrists.iter_mut().zip(&shoulder.elbows.rows) {
+        for (shoulders, wrists) in self.shoulders.iter_mut().zip(&mut self.wrists) {
+            for (elbow, wrists) in wrists.iter_mut().enumerate() {
                 for lane in 0..L {
-                    let pose = pose::one(&self.poses, lane);
-                    let first = [shoulder.first[0].one(lane), shoulder.first[1].one(lane)];
-                    let doubt = wrist.aim(lane, arm, &pose, three!(rows, lane), first, far);
-                    shoulder.doubt.put(lane, shoulder.doubt.lane(lane) + doubt.lane(0));
+                    let (pose, rows) = (pose::one(&self.poses, lane), shoulders.rows(elbow, lane));
+                    let doubt = wrists.aim(lane, arm, &pose, rows, shoulders.first(lane), far);
+                    shoulders.doubt.put(lane, shoulders.doubt.lane(lane) + doubt);
                 }
             }
         }
-        for shoulder in &mut self.shoulders {
-            for wrist in &mut shoulder.wrists {
-                for lane in 0..L {
-                    wrist.turn(lane, offsets);
-                }
+        for wrists in self.wrists.as_flattened_mut() {
+            for lane in 0..L {
+                wrists.turn(lane, offsets);
             }
         }
-        for shoulder in &mut self.shoulders {
-            for (wrist, rows) in shoulder.wrists.iter_mut().zip(&shoulder.elbows.rows) {
+        for (shoulders, wrists) in self.shoulders.iter_mut().zip(&mut self.wrists) {
+            for (elbow, wrists) in wrists.iter_mut().enumerate() {
                 for lane in 0..L {
-                    let (pose, per_scale) = (pose::one(&self.poses, lane), self.per_scale.one(lane));
-                    let doubt = wrist.check(lane, arm, &pose, per_scale, three!(rows, lane));
-                    shoulder.doubt.put(lane, shoulder.doubt.lane(lane) + doubt.lane(0));
+                    let (pose, rows) = (pose::one(&self.poses, lane), shoulders.rows(elbow, lane));
+                    let doubt = wrists.check(lane, arm, &pose, self.per_scale.lane(lane), rows);
+                    shoulders.doubt.put(lane, shoulders.doubt.lane(lane) + doubt);
                 }
             }
         }
@@ -154,24 +122,23 @@ impl<T: Float, const L: usize> Abreast<T, L> {
         }
     }
 
-    /// The figures of the base, up to where angles are taken.
+    /// The first figure of the base, and whether the pose is one.
     #[inline(always)]
     fn see<A: SolveWrist<6>>(&mut self, lane: usize, arm: &A, base: &ElbowBase<T>, far: T) {
-        let pose = &pose::one(&self.poses, lane);
-        let one = Lanes([T::lit(1.0)]);
+        let (pose, one) = (&pose::one(&self.poses, lane), T::lit(1.0));
         let (scale, refused) = target::judged(pose, base.reach);
-        let far_away = Lanes([far]) * scale.greatest(one);
-        let window = Lanes([T::lit(ROUND_OFF) * T::EPS]) * scale;
-        let seen = Seen::new(base, arm.wrist_centre(pose));
-        let doubt = refused + (seen.half - far_away).unless(|spare| spare > T::lit(0.0));
-        let [right, left] = &mut self.shoulders;
-        right.put(lane, &Side::new(base, &seen, one, window), doubt);
-        left.put(lane, &Side::new(base, &seen, -one, window), doubt);
+        let far_away = far * math::max(scale, one);
+        let Seen { x, y, across, half, v } = Seen::new(base, arm.wrist_centre(pose));
         set! { lane:
             self.scale, scale;
-            self.per_scale, (one / scale);
-            self.half, seen.half;
+            self.per_scale, one / scale;
             self.far_away, far_away;
+            self.x, x;
+            self.y, y;
+            self.across, across;
+            self.half, half;
+            self.v, v;
+            self.doubt, refused + unless(half > far_away);
         }
     }
 
@@ -184,25 +151,21 @@ impl<T: Float, const L: usize> Abreast<T, L> {
         lane: usize,
         place: &mut Option<Solutions<T, 6, Posture>>,
     ) {
-        let zero = T::lit(0.0);
         let [right, left] = &self.shoulders;
-        let closes = |shoulder: &Shoulder<T, L>| shoulder.side.spare.lane(lane) > zero;
-        let is_sure = |shoulder: &Shoulder<T, L>| shoulder.doubt.lane(lane) <= zero;
-        let open = |shoulder: &Shoulder<T, L>| {
-            let [[first, ..], _] = &shoulder.elbows.rows;
-            elbow::open(base, shoulder.side.square.lane(lane), first.lane(lane), self.scale.lane(lane))
-        };
+        let is_sure =
+            |shoulder: &Shoulders<T, L>| self.doubt.lane(lane) + shoulder.doubt.lane(lane) <= T::lit(0.0);
+        let open = |shoulder: &Shoulders<T, L>| shoulder.open(base, lane, self.scale.lane(lane));
         *place = None;
         // Each by itself, so that numbers go straight to their places.
-        if closes(right) & closes(left) {
+        if right.closes(lane) & left.closes(lane) {
             if is_sure(right) & is_sure(left) {
                 *place = Some(self.slots(arm, lane, [None; 2]));
             }
-        } else if closes(right) & is_sure(right)
+        } else if right.closes(lane) & is_sure(right)
             && let Some(reason) = open(left)
         {
             *place = Some(self.slots(arm, lane, [None, Some(reason)]));
-        } else if closes(left) & is_sure(left)
+        } else if left.closes(lane) & is_sure(left)
             && let Some(reason) = open(right)
         {
             *place = Some(self.slots(arm, lane, [Some(reason), None]));
@@ -217,183 +180,101 @@ impl<T: Float, const L: usize> Abreast<T, L> {
         lane: usize,
         open: [Option<Reason<T>>; 2],
     ) -> Solutions<T, 6, Posture> {
-        let [right, left] = &self.shoulders;
+        let ([right, left], [rights, lefts]) = (&self.shoulders, &self.wrists);
         let solved = |placement, bend| {
-            let (shoulder, elbow) = match placement {
-                0 => (right, 0),
-                1 => (left, 0),
-                2 => (right, 1),
-                _ => (left, 1),
-            };
-            let ([up, down], [over, under]) = (&shoulder.wrists, &shoulder.elbows.rows);
-            let (wrist, rows) = if elbow == 0 { (up, over) } else { (down, under) };
-            wrist.solution(arm, rows, bend, lane)
+            let (shoulder, [up, down]) = if placement % 2 == 0 { (right, rights) } else { (left, lefts) };
+            let wrist = if placement < 2 { up } else { down };
+            wrist.solution(arm, shoulder.rows(placement / 2, lane), bend, lane)
         };
-        let elbow = [right.elbows.margin.lane(lane), left.elbows.margin.lane(lane)];
+        let elbow = [right.margin.lane(lane), left.margin.lane(lane)];
         slots(&A::JOINTS, solved, self.half.lane(lane), elbow, open)
     }
 }
 
-impl<T: Float, const L: usize> Shoulder<T, L> {
-    /// Sets what is known of one lane before angles are taken.
-    #[inline(always)]
-    fn put(&mut self, lane: usize, side: &Side<T, 1>, doubt: Lanes<T, 1>) {
-        set! { lane:
-            self.side.spare, side.spare;
-            self.side.square, side.square;
-            self.side.centre[0], side.centre[0];
-            self.side.centre[1], side.centre[1];
-            self.side.plane[0], side.plane[0];
-            self.side.plane[1], side.plane[1];
-            self.side.bend[0], side.bend[0];
-            self.side.bend[1], side.bend[1];
-            self.side.lean[0], side.lean[0];
-            self.side.lean[1], side.lean[1];
-            self.side.sign, side.sign;
-            self.doubt, doubt;
-        }
-    }
-
-    /// The placements of one lane.
-    #[inline(always)]
-    fn close(&mut self, lane: usize, base: &ElbowBase<T>, far_away: Lanes<T, 1>) {
-        let Side { spare, square, centre, plane, bend, lean, sign } = &self.side;
-        let two = |lanes: &[Lanes<T, L>; 2]| [lanes[0].one(lane), lanes[1].one(lane)];
-        let side = Side {
-            spare: spare.one(lane),
-            square: square.one(lane),
-            centre: two(centre),
-            plane: two(plane),
-            bend: two(bend),
-            lean: two(lean),
-            sign: sign.one(lane),
-        };
-        let Elbows { rows: [up, down], margin } = side.elbows(base);
-        let turned = up[0].turned();
-        let doubt = (margin - far_away).unless(|spare| spare > T::lit(0.0));
-        set! { lane:
-            self.elbows.rows[0][0], up[0];
-            self.elbows.rows[0][1], up[1];
-            self.elbows.rows[0][2], up[2];
-            self.elbows.rows[1][0], down[0];
-            self.elbows.rows[1][1], down[1];
-            self.elbows.rows[1][2], down[2];
-            self.elbows.margin, margin;
-            self.first[0], turned[0];
-            self.first[1], turned[1];
-            self.doubt, (self.doubt.one(lane) + doubt);
-        }
-    }
+/// Shoulders, and their placements with the elbow up and down.
+#[derive(Clone, Copy)]
+struct Shoulders<T, const L: usize> {
+    spare: Lanes<T, L>,
+    square: Lanes<T, L>,
+    /// Row values with the elbow up and with the elbow down.
+    rows: [[Lanes<T, L>; 3]; 2],
+    /// The elbow's angle from stretched or folded.
+    margin: Lanes<T, L>,
+    /// Sine and cosine of the row value of joint 1.
+    first: [Lanes<T, L>; 2],
+    /// 0 where no figure is near a singular one, if the links close.
+    doubt: Lanes<T, L>,
 }
 
-impl<T: Float, const L: usize> Wrist<T, L> {
-    /// What the wrist must turn over one lane's placement; 0 if it is far from straight.
+impl<T: Float, const L: usize> Shoulders<T, L> {
+    /// Room that is to be filled.
     #[inline(always)]
-    fn aim<A: SolveWrist<6>>(
+    fn new() -> Self {
+        let zero = Lanes::splat(T::lit(0.0));
+        Shoulders {
+            spare: zero,
+            square: zero,
+            rows: [[zero; 3]; 2],
+            margin: zero,
+            first: [zero; 2],
+            doubt: zero,
+        }
+    }
+
+    /// The placements of one lane, on the side of this sign, for a figure that is `far_away` from a singular one if it is so
+    /// large.
+    #[inline(always)]
+    fn close(
         &mut self,
         lane: usize,
-        arm: &A,
-        pose: &Pose<Lanes<T, 1>>,
-        rows: [Lanes<T, 1>; 3],
-        first: [Lanes<T, 1>; 2],
-        far: T,
-    ) -> Lanes<T, 1> {
-        let aimed =
-            Aimed::new(arm, pose, rows, |index, angle| (index == 0 && angle.is(rows[0])).then_some(first));
-        let Turned { sines, cosines, .. } = &aimed.turned;
+        base: &ElbowBase<T>,
+        seen: &Seen<T>,
+        sign: T,
+        [window, far_away]: [T; 2],
+    ) {
+        let side = Side::new(base, seen, sign, window);
+        let Elbows { rows: [up, down], margin } = side.elbows(base, elbow::angles(side.directions()));
+        let (sine, cosine) = T::sin_cos_straight(up[0]);
         set! { lane:
-            self.matrix[0][0], aimed.matrix[0][0];
-            self.matrix[0][1], aimed.matrix[0][1];
-            self.matrix[0][2], aimed.matrix[0][2];
-            self.matrix[1][0], aimed.matrix[1][0];
-            self.matrix[1][1], aimed.matrix[1][1];
-            self.matrix[1][2], aimed.matrix[1][2];
-            self.matrix[2][2], aimed.matrix[2][2];
-            self.sine, aimed.sine;
-        }
-        if A::WRIST_TURNS > 0 {
-            set! { lane: self.sines[0], sines[0]; self.cosines[0], cosines[0]; }
-        }
-        if A::WRIST_TURNS > 1 {
-            set! { lane: self.sines[1], sines[1]; self.cosines[1], cosines[1]; }
-        }
-        if A::WRIST_TURNS > 2 {
-            set! { lane: self.sines[2], sines[2]; self.cosines[2], cosines[2]; }
-        }
-        if A::WRIST_TURNS > 3 {
-            set! { lane: self.sines[3], sines[3]; self.cosines[3], cosines[3]; }
-        }
-        aimed.sine.unless(|sine| sine > far)
-    }
-
-    /// One lane of what the wrist must turn.
-    #[inline(always)]
-    fn aimed(&self, lane: usize) -> Aimed<T, 1> {
-        let zero = Lanes([T::lit(-0.0)]);
-        let eight = |lanes: &[Lanes<T, L>; TURNS]| {
-            let [a, b, c, d] = lanes;
-            [a.one(lane), b.one(lane), c.one(lane), d.one(lane), zero, zero, zero, zero]
-        };
-        let [x, y, z] = &self.matrix;
-        Aimed {
-            turned: Turned::of_unknown(eight(&self.sines), eight(&self.cosines)),
-            matrix: [three!(x, lane), three!(y, lane), three!(z, lane)],
-            sine: self.sine.one(lane),
+            self.spare, side.spare;
+            self.square, side.square;
+            self.rows[0][0], up[0];
+            self.rows[0][1], up[1];
+            self.rows[0][2], up[2];
+            self.rows[1][0], down[0];
+            self.rows[1][1], down[1];
+            self.rows[1][2], down[2];
+            self.margin, margin;
+            self.first[0], sine;
+            self.first[1], cosine;
+            self.doubt, unless(margin > far_away);
         }
     }
 
-    /// The angles of one lane.
+    /// Sine and cosine of the row value of joint 1.
     #[inline(always)]
-    fn turn(&mut self, lane: usize, offsets: &Rows<T>) {
-        let new = Angles::new(&self.aimed(lane), offsets);
-        set! { lane:
-            self.angles.noflip[0], new.noflip[0];
-            self.angles.noflip[1], new.noflip[1];
-            self.angles.noflip[2], new.noflip[2];
-            self.angles.flip[0], new.flip[0];
-            self.angles.flip[1], new.flip[1];
-            self.angles.flip[2], new.flip[2];
-            self.angles.margin, new.margin;
-        }
+    fn first(&self, lane: usize) -> [T; 2] {
+        let [sine, cosine] = &self.first;
+        [sine.lane(lane), cosine.lane(lane)]
     }
 
-    /// Forward kinematics of one lane; 0 if it comes back to the pose.
+    /// The row values of one lane, with the elbow up (0) or down (1).
     #[inline(always)]
-    fn check<A: SolveWrist<6>>(
-        &mut self,
-        lane: usize,
-        arm: &A,
-        pose: &Pose<Lanes<T, 1>>,
-        per_scale: Lanes<T, 1>,
-        rows: [Lanes<T, 1>; 3],
-    ) -> Lanes<T, 1> {
-        let Angles { noflip, flip, margin } = &self.angles;
-        let angles =
-            Angles { noflip: three!(noflip, lane), flip: three!(flip, lane), margin: margin.one(lane) };
-        let Bent { residual: [noflip, flip], .. } =
-            Bent::new(arm, pose, per_scale, rows, &self.aimed(lane), &angles);
-        set! { lane:
-            self.residual[0], noflip;
-            self.residual[1], flip;
-        }
-        noflip.unless(is_accepted) + flip.unless(is_accepted)
+    fn rows(&self, elbow: usize, lane: usize) -> [T; 3] {
+        let [up, down] = &self.rows;
+        if elbow == 0 { three(up, lane) } else { three(down, lane) }
     }
 
-    /// The joint values of one lane with one of the bends, their residual, and the bend's distance from straight.
+    /// Whether the links close over the distance, and by more than the window.
     #[inline(always)]
-    fn solution<A: SolveWrist<6>>(
-        &self,
-        arm: &A,
-        rows: &[Lanes<T, L>; 3],
-        bend: Bend,
-        lane: usize,
-    ) -> ([T; 6], T, T) {
-        let (angles, [noflip, flip]) = (&self.angles, &self.residual);
-        let (wrist, residual) =
-            if bend == Bend::NoFlip { (&angles.noflip, noflip) } else { (&angles.flip, flip) };
-        let ([t1, t2, t3], [t4, t5, t6]) = (three!(rows, lane), three!(wrist, lane));
-        let [a, b, c, d, e, f] = pose::entries(&joint_values(arm, [t1, t2, t3, t4, t5, t6]));
-        let q = [a.lane(0), b.lane(0), c.lane(0), d.lane(0), e.lane(0), f.lane(0)];
-        (q, residual.lane(lane), angles.margin.lane(lane))
+    fn closes(&self, lane: usize) -> bool {
+        self.spare.lane(lane) > T::lit(0.0)
+    }
+
+    /// Why they do not: see [`elbow::open`].
+    #[inline(always)]
+    fn open(&self, base: &ElbowBase<T>, lane: usize, scale: T) -> Option<Reason<T>> {
+        let [[first, ..], _] = &self.rows;
+        elbow::open(base, self.square.lane(lane), first.lane(lane), scale)
     }
 }

@@ -1,283 +1,211 @@
-//! Both bends of an orthogonal wrist over placements of the base side by side, and forward kinematics of what comes out.
-//!
-//! Lanes are the placements of one pose ([`side`](crate::ik::side)) or poses of a batch ([`abreast`](crate::ik::abreast)); a
-//! lane has the same bits whatever stands beside it.
+//! Both bends of an orthogonal wrist over a placement of the base, and forward kinematics of what comes out; without a branch,
+//! so that a loop over placements or poses becomes one over vectors ([`wrists`](crate::ik::wrists)).
 //!
 //! A sine is taken once for all that need it: the wrist's matrix and forward kinematics of both bends turn by the same first
 //! joints, the bend itself only changes its sign, and its outer angles go to the other side.
 
-use crate::arm::{Joint, JointKind};
-use crate::ik::wrist::{Rows, row_values};
-use crate::math::{self, Float, Lanes, Real};
+use crate::ik::given_out;
+use crate::ik::wrist::{Rows, straight_row_value};
+use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Known, SolveWrist};
 
 /// The sines and cosines of a program's turns.
-pub(super) struct Turned<T, const L: usize> {
-    angles: [Lanes<T, L>; 8],
-    pub(super) sines: [Lanes<T, L>; 8],
-    pub(super) cosines: [Lanes<T, L>; 8],
+pub(super) struct Turned<T> {
+    angles: [T; 8],
+    pub(super) sines: [T; 8],
+    pub(super) cosines: [T; 8],
 }
 
-impl<T: Float, const L: usize> Turned<T, L> {
+impl<T: Float> Turned<T> {
     /// Of a program whose turns nobody asks for again.
     #[inline(always)]
-    pub(super) fn of_unknown(sines: [Lanes<T, L>; 8], cosines: [Lanes<T, L>; 8]) -> Self {
-        Turned { angles: [Lanes::splat(T::lit(0.0)); 8], sines, cosines }
+    pub(super) fn of_unknown(sines: [T; 8], cosines: [T; 8]) -> Self {
+        Turned { angles: [T::lit(0.0); 8], sines, cosines }
     }
 
     /// The sines and cosines of the first `count` angles, those that are `known` from there.
     #[inline(always)]
-    fn new(
-        angles: [Lanes<T, L>; 8],
-        count: usize,
-        known: impl Fn(usize, &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]>,
-    ) -> Self {
-        let [a, b, c, d, e, f, g, h] = &angles;
-        let [a, b, c, d] = [(0, a), (1, b), (2, c), (3, d)];
-        let [e, f, g, h] = [(4, e), (5, f), (6, g), (7, h)];
-        let ([sa, ca], [sb, cb]) = (taken(a, count, &known), taken(b, count, &known));
-        let ([sc, cc], [sd, cd]) = (taken(c, count, &known), taken(d, count, &known));
-        let ([se, ce], [sf, cf]) = (taken(e, count, &known), taken(f, count, &known));
-        let ([sg, cg], [sh, ch]) = (taken(g, count, &known), taken(h, count, &known));
+    fn new(angles: [T; 8], count: usize, known: impl Fn(usize, T) -> Option<[T; 2]>) -> Self {
+        let [a, b, c, d, e, f, g, h] = angles;
+        let ([sa, ca], [sb, cb]) = (taken(0, a, count, &known), taken(1, b, count, &known));
+        let ([sc, cc], [sd, cd]) = (taken(2, c, count, &known), taken(3, d, count, &known));
+        let ([se, ce], [sf, cf]) = (taken(4, e, count, &known), taken(5, f, count, &known));
+        let ([sg, cg], [sh, ch]) = (taken(6, g, count, &known), taken(7, h, count, &known));
         Turned { sines: [sa, sb, sc, sd, se, sf, sg, sh], cosines: [ca, cb, cc, cd, ce, cf, cg, ch], angles }
     }
 
     /// Sine and cosine of one of these angles.
     #[inline(always)]
-    fn of(&self, index: usize) -> Option<[Lanes<T, L>; 2]> {
+    fn of(&self, index: usize) -> Option<[T; 2]> {
         Some([*self.sines.get(index)?, *self.cosines.get(index)?])
     }
 
-    /// Zero, or NaN if a sine is none: as only that of a lane that is alone may be.
+    /// Zero, or NaN if a sine is none.
     #[inline(always)]
-    fn nothing(&self) -> Lanes<T, L> {
-        if !Lanes::<T, L>::ALONE {
-            return Lanes::splat(T::lit(-0.0));
-        }
+    fn nothing(&self) -> T {
         let [a, b, c, d, e, f, g, h] = self.sines;
-        (((a + b) + (c + d)) + ((e + f) + (g + h))) * Lanes::splat(T::lit(0.0))
+        (((a + b) + (c + d)) + ((e + f) + (g + h))) * T::lit(0.0)
     }
 
-    /// Sine and cosine of angles that are half a turn from one of these but for round-off; where a lane is alone, NaN if it is
-    /// not.
+    /// Sine and cosine of an angle that is half a turn from one of these but for round-off; NaN if it is not.
     #[inline(always)]
-    fn across(&self, index: usize, angle: &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]> {
-        let (known, [sine, cosine]) = (self.angles.get(index)?, self.of(index)?);
+    fn across(&self, index: usize, angle: T) -> Option<[T; 2]> {
+        let (known, [sine, cosine]) = (*self.angles.get(index)?, self.of(index)?);
         // What the difference is besides half a turn, exactly but for one rounding of next to nothing.
-        let by = *angle - *known;
-        let back = by - *angle;
-        let lost = (*angle - (by - back)) - (*known + back);
+        let by = angle - known;
+        let back = by - angle;
+        let lost = (angle - (by - back)) - (known + back);
         let (half, rest) = (math::half_turn::<T>(), T::TURN.1 * T::lit(0.5));
-        let sign = by.map(|by| if by > T::lit(0.0) { T::lit(1.0) } else { T::lit(-1.0) });
-        let over = ((by - sign * Lanes::splat(half)) + lost) - sign * Lanes::splat(rest);
-        let is_round_off = |over: T| math::abs(over) <= T::lit(4.0) * T::EPS;
-        let across = |over: Lanes<T, L>| [-(sine + cosine * over), sine * over - cosine];
-        if Lanes::<T, L>::ALONE {
-            return Some(across(over.map(|over| if is_round_off(over) { over } else { T::lit(f64::NAN) })));
-        }
-        if all(over, over, |over, _| is_round_off(over)) {
-            return Some(across(over));
-        }
-        // Each lane has the bits that it has beside any others.
-        let ([mut sines, mut cosines], [across_sines, across_cosines]) = (angle.turned(), across(over));
-        for (lane, over) in over.0.into_iter().enumerate() {
-            if is_round_off(over) {
-                sines.put(lane, across_sines.lane(lane));
-                cosines.put(lane, across_cosines.lane(lane));
-            }
-        }
-        Some([sines, cosines])
+        let sign = if by > T::lit(0.0) { T::lit(1.0) } else { T::lit(-1.0) };
+        let over = ((by - sign * half) + lost) - sign * rest;
+        let is_round_off = math::abs(over) <= T::lit(4.0) * T::EPS;
+        let over = if is_round_off { over } else { T::lit(f64::NAN) };
+        Some([-(sine + cosine * over), sine * over - cosine])
     }
 }
 
 /// Sine and cosine of one of so many angles, if it is not known from elsewhere.
 #[inline(always)]
-fn taken<T: Float, const L: usize>(
-    (index, angle): (usize, &Lanes<T, L>),
+fn taken<T: Float>(
+    index: usize,
+    angle: T,
     count: usize,
-    known: &impl Fn(usize, &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]>,
-) -> [Lanes<T, L>; 2] {
+    known: &impl Fn(usize, T) -> Option<[T; 2]>,
+) -> [T; 2] {
     if index >= count {
         // The zero that compilers know to change no sum.
-        return [Lanes::splat(T::lit(-0.0)); 2];
+        return [T::lit(-0.0); 2];
     }
     if let Some(known) = known(index, angle) {
         return known;
     }
-    angle.turned()
+    let (sine, cosine) = T::sin_cos_straight(angle);
+    [sine, cosine]
 }
 
-/// Whether something holds in all lanes; without an early return, which is a branch for each lane.
-#[inline(always)]
-pub(super) fn all<T: Float, const L: usize>(
-    a: Lanes<T, L>,
-    b: Lanes<T, L>,
-    holds: impl Fn(T, T) -> bool,
-) -> bool {
-    let mut all = true;
-    for (a, b) in a.0.into_iter().zip(b.0) {
-        all &= holds(a, b);
-    }
-    all
-}
-
-/// Both bends of the wrist over placements side by side.
-#[derive(Clone, Copy)]
-pub(super) struct Bent<T, const L: usize> {
-    /// Joint values, without and with the flip.
-    pub(super) q: [[Lanes<T, L>; 6]; 2],
-    /// How far forward kinematics of them misses the pose.
-    pub(super) residual: [Lanes<T, L>; 2],
-}
-
-/// What the wrist must turn over placements side by side.
-pub(super) struct Aimed<T, const L: usize> {
-    pub(super) turned: Turned<T, L>,
-    pub(super) matrix: [[Lanes<T, L>; 3]; 3],
+/// What the wrist must turn over a placement.
+pub(super) struct Aimed<T> {
+    pub(super) turned: Turned<T>,
+    pub(super) matrix: [[T; 3]; 3],
     /// The sine of the bend, not negative: how long the third column is beside the axis.
-    pub(super) sine: Lanes<T, L>,
+    pub(super) sine: T,
 }
 
-impl<T: Float, const L: usize> Aimed<T, L> {
-    /// The sines and cosines of the wrist's turns are taken where they are not `known`.
+impl<T: Float> Aimed<T> {
+    /// `first` are sine and cosine of joint 1, which the wrist may turn by too.
     #[inline(always)]
-    pub(super) fn new<A: SolveWrist<6>>(
-        arm: &A,
-        pose: &Pose<Lanes<T, L>>,
-        rows: [Lanes<T, L>; 3],
-        known: impl Fn(usize, &Lanes<T, L>) -> Option<[Lanes<T, L>; 2]>,
-    ) -> Self {
-        let turned = Turned::new(arm.wrist_turns(rows), A::WRIST_TURNS, known);
+    pub(super) fn new<A: SolveWrist<6>>(arm: &A, pose: &Pose<T>, rows: [T; 3], first: [T; 2]) -> Self {
+        let [t1, ..] = rows;
+        let turned = Turned::new(
+            arm.wrist_turns(rows),
+            A::WRIST_TURNS,
+            #[inline(always)]
+            |index, angle| (index == 0 && is_known_as(angle, t1)).then_some(first),
+        );
         let matrix = arm.wrist_matrix(&arm.wrist_turned(rows, pose, &turned.sines, &turned.cosines));
         let [[_, _, m13], [_, _, m23], _] = matrix;
-        Aimed { sine: (m13 * m13 + m23 * m23).sqrt(), turned, matrix }
+        Aimed { sine: math::sqrt(m13 * m13 + m23 * m23), turned, matrix }
     }
+}
+
+/// Whether two angles are the same. And not `==`, which compilers know of one number only where it is known not to be NaN.
+#[inline(always)]
+fn is_known_as<T: Float>(a: T, b: T) -> bool {
+    let (less, greater) = (a < b, a > b);
+    !(less | greater)
 }
 
 /// The row values of an orthogonal wrist, and its bend's distance from straight.
-#[derive(Clone, Copy)]
-pub(super) struct Angles<T, const L: usize> {
-    pub(super) noflip: [Lanes<T, L>; 3],
-    pub(super) flip: [Lanes<T, L>; 3],
-    pub(super) margin: Lanes<T, L>,
+pub(super) struct Angles<T> {
+    pub(super) noflip: [T; 3],
+    pub(super) flip: [T; 3],
+    pub(super) margin: T,
 }
 
-impl<T: Float, const L: usize> Angles<T, L> {
+impl<T: Float> Angles<T> {
     /// As [`zyz`](crate::ik::wrist), where the third column, so long beside the axis, is not short.
     #[inline(always)]
-    pub(super) fn new(aimed: &Aimed<T, L>, offsets: &Rows<T>) -> Self {
+    pub(super) fn new(aimed: &Aimed<T>, offsets: &Rows<T>) -> Self {
         let ([[m11, m12, m13], [m21, m22, m23], [_, _, m33]], sine) = (aimed.matrix, aimed.sine);
-        let a = Lanes::directed(m23, m13);
-        let b = Lanes::directed(sine, m33);
-        let c = Lanes::directed(m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
+        let a = T::atan2_straight(m23, m13);
+        let b = T::atan2_straight(sine, m33);
+        let c = T::atan2_straight(m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
         let half = math::half_turn::<T>();
-        let turn =
-            |angle: Lanes<T, L>| angle - angle.map(|angle| if angle > T::lit(0.0) { half } else { -half });
-        let margin = b.least(Lanes::splat(half) - b);
+        let turn = |angle: T| angle - if angle > T::lit(0.0) { half } else { -half };
         let ([oa, ob, oc], [ra, rb, rc]) = (offsets.offset, offsets.reversed);
-        let noflip = [row_values(a, oa, ra), row_values(b, ob, rb), row_values(c, oc, rc)];
-        let flip = [row_values(turn(a), oa, ra), row_values(-b, ob, rb), row_values(turn(c), oc, rc)];
-        if Lanes::<T, L>::ALONE {
-            return Angles { noflip, flip, margin };
-        }
-        let ([a, b, c], [d, e, f]) = (noflip, flip);
-        let [a, b, c, d, e, f] = Lanes::wrap_all([a, b, c, d, e, f]);
-        let (noflip, flip) = ([a, b, c], [d, e, f]);
-        Angles { noflip, flip, margin }
+        let row = |a, b, c| {
+            [straight_row_value(a, oa, ra), straight_row_value(b, ob, rb), straight_row_value(c, oc, rc)]
+        };
+        let (noflip, flip) = (row(a, b, c), row(turn(a), -b, turn(c)));
+        Angles { noflip, flip, margin: math::min(b, half - b) }
     }
 }
 
-impl<T: Float, const L: usize> Bent<T, L> {
-    /// Both bends of a wrist that is not straight; `per_scale` is one over the size against which the poses are judged.
-    #[inline(always)]
-    pub(super) fn new<A: SolveWrist<6>>(
-        arm: &A,
-        pose: &Pose<Lanes<T, L>>,
-        per_scale: Lanes<T, L>,
-        [t1, t2, t3]: [Lanes<T, L>; 3],
-        aimed: &Aimed<T, L>,
-        angles: &Angles<T, L>,
-    ) -> Self {
-        let ([n4, n5, n6], [f4, f5, f6]) = (angles.noflip, angles.flip);
-        let (noflip, flip) =
-            (joint_values(arm, [t1, t2, t3, n4, n5, n6]), joint_values(arm, [t1, t2, t3, f4, f5, f6]));
-        let first = Turned::new(
-            arm.fk_turns(&noflip),
-            A::FK_TURNS,
-            #[inline(always)]
-            |index, _| match A::FK_KNOWN.get(index) {
-                Some(Known::Wrist(turn)) => aimed.turned.of(*turn),
-                _ => None,
-            },
-        );
-        // With an offset the bend is not the opposite of what it was.
-        let is_opposite = |Rows { offset: [_, bend, _], .. }| bend == T::lit(0.0);
-        let opposite = arm.orthogonal_wrist::<T>().is_some_and(is_opposite);
-        let second = Turned::new(
-            arm.fk_turns(&flip),
-            A::FK_TURNS,
-            #[inline(always)]
-            |index, angle| match A::FK_KNOWN.get(index) {
-                Some(Known::Wrist(_) | Known::Base) => first.of(index),
-                Some(Known::Outer) => first.across(index, angle),
-                Some(Known::Bend) if opposite => first.of(index).map(|[sine, cosine]| [-sine, cosine]),
-                _ => None,
-            },
-        );
-        let residual = [
-            missed(pose, per_scale, &arm.fk_turned(&noflip, &first.sines, &first.cosines)) + first.nothing(),
-            missed(pose, per_scale, &arm.fk_turned(&flip, &second.sines, &second.cosines)) + second.nothing(),
-        ];
-        Bent { residual, q: [pose::entries(&noflip), pose::entries(&flip)] }
-    }
+/// How far forward kinematics of both bends misses the pose; `per_scale` is one over the size against which it is judged. The
+/// wrist is not straight.
+#[inline(always)]
+pub(super) fn residuals<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    pose: &Pose<T>,
+    per_scale: T,
+    [t1, t2, t3]: [T; 3],
+    aimed: &Aimed<T>,
+    angles: &Angles<T>,
+) -> [T; 2] {
+    let ([n4, n5, n6], [f4, f5, f6]) = (angles.noflip, angles.flip);
+    let (noflip, flip) =
+        (joint_values(arm, [t1, t2, t3, n4, n5, n6]), joint_values(arm, [t1, t2, t3, f4, f5, f6]));
+    let first = Turned::new(
+        arm.fk_turns(&noflip),
+        A::FK_TURNS,
+        #[inline(always)]
+        |index, _| match A::FK_KNOWN.get(index) {
+            Some(Known::Wrist(turn)) => aimed.turned.of(*turn),
+            _ => None,
+        },
+    );
+    // With an offset the bend is not the opposite of what it was.
+    let is_opposite = |Rows { offset: [_, bend, _], .. }| bend == T::lit(0.0);
+    let opposite = arm.orthogonal_wrist::<T>().is_some_and(is_opposite);
+    let second = Turned::new(
+        arm.fk_turns(&flip),
+        A::FK_TURNS,
+        #[inline(always)]
+        |index, angle| match A::FK_KNOWN.get(index) {
+            Some(Known::Wrist(_) | Known::Base) => first.of(index),
+            Some(Known::Outer) => first.across(index, angle),
+            Some(Known::Bend) if opposite => first.of(index).map(|[sine, cosine]| [-sine, cosine]),
+            _ => None,
+        },
+    );
+    [
+        missed(pose, per_scale, &arm.fk_turned(&noflip, &first.sines, &first.cosines)) + first.nothing(),
+        missed(pose, per_scale, &arm.fk_turned(&flip, &second.sines, &second.cosines)) + second.nothing(),
+    ]
 }
 
 /// The joint values that command row values, angles in (-π, π].
 #[inline(always)]
-pub(super) fn joint_values<T: Float, const L: usize, A: SolveWrist<6>>(
-    arm: &A,
-    rows: [Lanes<T, L>; 6],
-) -> Joints<Lanes<T, L>, 6> {
+pub(super) fn joint_values<T: Float, A: SolveWrist<6>>(arm: &A, rows: [T; 6]) -> Joints<T, 6> {
     let q = arm.command(rows);
     // Row values are in that range already.
-    pose::column(if A::COUPLED { commanded(&A::JOINTS, q) } else { q })
+    if A::COUPLED { given_out(q, &A::JOINTS) } else { pose::column(q) }
 }
 
-/// How far poses miss others, `per_scale` being one over the scale: see [`Target::missed_by`].
+/// How far a pose misses another, `per_scale` being one over the scale: see [`Target::missed_by`](crate::ik::target::Target).
 #[inline(always)]
-fn missed<T: Float, const L: usize>(
-    pose: &Pose<Lanes<T, L>>,
-    per_scale: Lanes<T, L>,
-    other: &Pose<Lanes<T, L>>,
-) -> Lanes<T, L> {
+fn missed<T: Float>(pose: &Pose<T>, per_scale: T, other: &Pose<T>) -> T {
     let (([x, y, z], p), ([u, v, w], q)) = (pose::rows(pose), pose::rows(other));
     let ([x, _], [y, _], [z, _], [p, all]) = (far(x, u), far(y, v), far(z, w), far(p, q));
     // A comparison lets go of what is not a number; a sum does not, and adds nothing to what is one. Entries of the rotation
     // are none only where a sine is.
-    x.greatest(y).greatest(z).greatest(p * per_scale) + all * Lanes::splat(T::lit(0.0))
+    math::max(math::max(math::max(x, y), z), p * per_scale) + all * T::lit(0.0)
 }
 
 /// The largest difference between two triples, and the sum of all.
 #[inline(always)]
-fn far<T: Float, const L: usize>(
-    [a, b, c]: [Lanes<T, L>; 3],
-    [d, e, f]: [Lanes<T, L>; 3],
-) -> [Lanes<T, L>; 2] {
-    let [a, b, c] = [(a - d).abs(), (b - e).abs(), (c - f).abs()];
-    [a.greatest(b).greatest(c), a + b + c]
-}
-
-/// Commanded values with their angles in (-π, π].
-#[inline(always)]
-pub(crate) fn commanded<T: Float, const L: usize>(
-    joints: &[Joint; 6],
-    mut q: [Lanes<T, L>; 6],
-) -> [Lanes<T, L>; 6] {
-    for (value, joint) in q.iter_mut().zip(joints) {
-        if joint.kind == JointKind::Revolute {
-            *value = value.wrap();
-        }
-    }
-    q
+fn far<T: Float>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> [T; 2] {
+    let [a, b, c] = [math::abs(a - d), math::abs(b - e), math::abs(c - f)];
+    [math::max(math::max(a, b), c), a + b + c]
 }

@@ -6,7 +6,8 @@
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
 //! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, in steps
-//!   that know no branch: `elbow` and `bends`, for one pose with its branches as lanes (`side`), in a batch with poses (`abreast`).
+//!   that know no branch: `elbow`, then `bends`, in loops over the shoulders and the placements of one pose (`side`), or over the
+//!   poses of a batch (`abreast`); `wrists` is the loops that both have.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
 //! * [`short`]: poses of arms with two to five joints.
@@ -49,6 +50,7 @@ pub mod spherical_wrist;
 mod straight;
 pub mod target;
 pub mod wrist;
+mod wrists;
 
 #[cfg(test)]
 mod tests;

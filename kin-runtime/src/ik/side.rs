@@ -1,9 +1,10 @@
-//! The branches of one pose side by side: the four placements of a base as lanes.
+//! The branches of one pose side by side: its shoulders as two lanes, its placements as four.
 
 use crate::arm::Joint;
-use crate::ik::bends::{Aimed, Angles, Bent, all};
-use crate::ik::elbow::{Seen, Side};
-use crate::ik::target::{Target, accepted};
+use crate::ik::elbow::{self, Seen, Side};
+use crate::ik::target::Target;
+use crate::ik::wrist::Rows;
+use crate::ik::wrists::{Wrists, three};
 use crate::ik::{ElbowBase, ROUND_OFF, sliding};
 use crate::math::{self, Float, Lanes};
 use crate::pose;
@@ -11,33 +12,6 @@ use crate::private::SolveWrist;
 use crate::solutions::{
     Bend, Elbow, Free, Margins, Posture, Reason, Shoulder, Slot, Solution, Solutions, tolerance,
 };
-
-/// A value for each of four placements.
-pub(crate) type Four<T> = Lanes<T, 4>;
-
-/// Sine and cosine of an angle of the placements: that of the first joint alone comes twice.
-#[inline(always)]
-fn of_placements<T: Float>(&Lanes([a, b, c, d]): &Four<T>) -> Option<[Four<T>; 2]> {
-    if !((a == c) & (b == d)) {
-        return None;
-    }
-    let ([s, t], [c, d]) = T::sin_cos_all([a, b]);
-    Some([Lanes([s, t, s, t]), Lanes([c, d, c, d])])
-}
-
-/// Joint by joint what came placement by placement.
-pub(crate) fn transposed<T>([a, b, c, d]: [[T; 6]; 4]) -> [Four<T>; 6] {
-    let ([a1, a2, a3, a4, a5, a6], [b1, b2, b3, b4, b5, b6]) = (a, b);
-    let ([c1, c2, c3, c4, c5, c6], [d1, d2, d3, d4, d5, d6]) = (c, d);
-    [
-        Lanes([a1, b1, c1, d1]),
-        Lanes([a2, b2, c2, d2]),
-        Lanes([a3, b3, c3, d3]),
-        Lanes([a4, b4, c4, d4]),
-        Lanes([a5, b5, c5, d5]),
-        Lanes([a6, b6, c6, d6]),
-    ]
-}
 
 /// A figure larger than this is far from a singular one: an angle or its sine, or a length over the size.
 #[inline(always)]
@@ -52,59 +26,110 @@ pub(crate) fn regular<T: Float, A: SolveWrist<6>>(
     arm: &A,
     target: &Target<T>,
     base: &ElbowBase<T>,
+    offsets: &Rows<T>,
 ) -> Option<Solutions<T, 6, Posture>> {
-    let (one, far) = (T::lit(1.0), far());
-    let far_away = far * math::max(target.scale, one);
-    let centre = arm.wrist_centre(&target.pose);
-    let seen = Seen::new(base, centre.map(|x| Lanes([x; 2])));
-    let [half, _] = seen.half.0;
-    if half <= far_away {
+    let (pose, scale, far) = (&target.pose, target.scale, far());
+    let seen = Seen::new(base, arm.wrist_centre(pose));
+    let placed = Placed::new(base, &seen, scale)?;
+    let mut wrists = Wrists::<T, 4>::new();
+    let mut doubt = Lanes([T::lit(0.0); 4]);
+    for lane in 0..4 {
+        doubt.put(lane, wrists.aim(lane, arm, pose, placed.rows(lane), placed.first(lane), far));
+    }
+    for lane in 0..4 {
+        wrists.turn(lane, offsets);
+    }
+    let per_scale = T::lit(1.0) / scale;
+    for lane in 0..4 {
+        let missed = wrists.check(lane, arm, pose, per_scale, placed.rows(lane));
+        doubt.put(lane, doubt.lane(lane) + missed);
+    }
+    let [a, b, c, d] = doubt.0;
+    // Without `&&`, which is a branch for each.
+    if (a + b) + (c + d) > T::lit(0.0) {
         return None;
     }
-    let window = T::lit(ROUND_OFF) * T::EPS * target.scale;
-    let side = Side::new(base, &seen, Lanes([one, -one]), Lanes::splat(window));
-    let ([right, left], elbows) = (side.closes(), side.elbows(base));
-    let [elbow, bow] = elbows.margin.0;
-    let apart = ((elbow > far_away) | !right) & ((bow > far_away) | !left);
-    if !(apart & (right | left)) {
-        return None;
+    let solved = |placement, bend| wrists.solution(arm, placed.rows(placement), bend, placement);
+    Some(slots(&A::JOINTS, solved, seen.half, placed.elbows, placed.open(base, scale)?))
+}
+
+/// The placements of a base: right and left with the elbow up, then with the elbow down. Where a shoulder does not close stands
+/// the other one.
+struct Placed<T> {
+    rows: [Lanes<T, 4>; 3],
+    /// Sine and cosine of the row value of joint 1.
+    first: [Lanes<T, 4>; 2],
+    /// Of the right shoulder and the left one: how far the elbow is from stretched or folded, whether the links close, the
+    /// square of the distance over which they do not, and the row value of joint 1.
+    elbows: [T; 2],
+    closes: [bool; 2],
+    squares: [T; 2],
+    turned: [T; 2],
+}
+
+impl<T: Float> Placed<T> {
+    /// Those of the wrist centre, if no figure is near a singular one.
+    #[inline(always)]
+    fn new(base: &ElbowBase<T>, seen: &Seen<T>, scale: T) -> Option<Self> {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (far_away, window) = (far::<T>() * math::max(scale, one), T::lit(ROUND_OFF) * T::EPS * scale);
+        let (right, left) = (Side::new(base, seen, one, window), Side::new(base, seen, -one, window));
+        let ([a, b, c, d], [e, f, g, h]) = (right.directions(), left.directions());
+        // Four angles and then four more: a loop over vectors.
+        let (mut angles, mut others) = ([a, e, b, f], [c, g, d, h]);
+        for (angle, other) in angles.iter_mut().zip(&mut others) {
+            let ([y, x], [v, u]) = (*angle, *other);
+            *angle = [T::atan2_straight(y, x), x];
+            *other = [T::atan2_straight(v, u), u];
+        }
+        let ([[a, _], [e, _], [b, _], [f, _]], [[c, _], [g, _], [d, _], [h, _]]) = (angles, others);
+        let (near, away) = (right.elbows(base, [a, b, c, d]), left.elbows(base, [e, f, g, h]));
+        let closes = [right.spare > zero, left.spare > zero];
+        let [on_right, on_left] = closes;
+        let apart = ((near.margin > far_away) | !on_right) & ((away.margin > far_away) | !on_left);
+        if !(apart & (on_right | on_left) & (seen.half > far_away)) {
+            return None;
+        }
+        let pick = |a: T, b: T| [if on_right { a } else { b }, if on_left { b } else { a }];
+        let four = |[a, b]: [T; 2], [c, d]: [T; 2]| Lanes([a, b, c, d]);
+        let ([[t1, a2, a3], [_, b2, b3]], [[s1, c2, c3], [_, d2, d3]]) = (near.rows, away.rows);
+        let [k, l] = pick(t1, s1);
+        let ((sk, ck), (sl, cl)) = (T::sin_cos_straight(k), T::sin_cos_straight(l));
+        Some(Placed {
+            rows: [Lanes([k, l, k, l]), four(pick(a2, c2), pick(b2, d2)), four(pick(a3, c3), pick(b3, d3))],
+            first: [Lanes([sk, sl, sk, sl]), Lanes([ck, cl, ck, cl])],
+            elbows: [near.margin, away.margin],
+            closes,
+            squares: [right.square, left.square],
+            turned: [t1, s1],
+        })
     }
-    // Where a shoulder does not close stands the other one.
-    let pick = |Lanes([a, b]): Lanes<T, 2>| [if right { a } else { b }, if left { b } else { a }];
-    let four = |up: Lanes<T, 2>, down: Lanes<T, 2>| {
-        let ([a, b], [c, d]) = (pick(up), pick(down));
-        Lanes([a, b, c, d])
-    };
-    let [[first, up2, up3], [_, down2, down3]] = elbows.rows;
-    let rows = [four(first, first), four(up2, down2), four(up3, down3)];
-    let (offsets, pose) = (arm.orthogonal_wrist::<T>()?, pose::side_by_side(&target.pose));
-    let aimed = Aimed::new(arm, &pose, rows, |_, angle| of_placements(angle));
-    // No angle is taken where the wrist is straight.
-    if !all(aimed.sine, aimed.sine, |sine, _| sine > far) {
-        return None;
+
+    /// The row values of a placement.
+    #[inline(always)]
+    fn rows(&self, lane: usize) -> [T; 3] {
+        three(&self.rows, lane)
     }
-    let angles = Angles::new(&aimed, &offsets);
-    let bent = Bent::new(arm, &pose, Lanes::splat(one / target.scale), rows, &aimed, &angles);
-    let [noflip, flip] = bent.residual;
-    if !all(noflip, flip, |a, b| accepted(a).is_ok() & accepted(b).is_ok()) {
-        return None;
+
+    /// Sine and cosine of the first of them.
+    #[inline(always)]
+    fn first(&self, lane: usize) -> [T; 2] {
+        let [sine, cosine] = &self.first;
+        [sine.lane(lane), cosine.lane(lane)]
     }
-    let [t1, t1_left] = first.0;
-    let mut open = [None; 2];
-    if !right {
-        open = [Some(side.open(base, 0, t1, target.scale)?), None];
+
+    /// Why shoulders are empty; nothing at all where one may be at its boundary but for round-off.
+    #[inline(always)]
+    fn open(&self, base: &ElbowBase<T>, scale: T) -> Option<[Option<Reason<T>>; 2]> {
+        let ([right, left], [a, b], [t1, s1]) = (self.closes, self.squares, self.turned);
+        if !right {
+            return Some([Some(elbow::open(base, a, t1, scale)?), None]);
+        }
+        if !left {
+            return Some([None, Some(elbow::open(base, b, s1, scale)?)]);
+        }
+        Some([None; 2])
     }
-    if !left {
-        open = [None, Some(side.open(base, 1, t1_left, target.scale)?)];
-    }
-    let solved = |placement, bend| {
-        let ([q, flipped], [noflip, flip]) = (&bent.q, &bent.residual);
-        let (q, residual) = if bend == Bend::NoFlip { (q, noflip) } else { (flipped, flip) };
-        let [a, b, c, d, e, f] = q;
-        let lane = |lanes: &Four<T>| lanes.lane(placement);
-        ([lane(a), lane(b), lane(c), lane(d), lane(e), lane(f)], lane(residual), lane(&angles.margin))
-    };
-    Some(slots(&A::JOINTS, solved, half, [elbow, bow], open))
 }
 
 /// The slots of four placements, right and left with the elbow up, then with the elbow down. `solved` gives the joint values of

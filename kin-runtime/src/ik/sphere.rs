@@ -4,15 +4,13 @@
 //! [shoulder](crate::ik::spherical_shoulder): seen from its tool the one arm is the other. A [`View`] says which joints are
 //! which.
 
-use crate::arm::Arm;
+use crate::arm::{Arm, Joint, JointKind};
 use crate::ik::base::{Placed, Placements};
-use crate::ik::bends;
-use crate::ik::side::{self, Four};
 use crate::ik::straight::{self, Doubt};
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::{Wrist, WristFamily};
 use crate::ik::{Base, sliding};
-use crate::math::{self, Float, Real};
+use crate::math::{self, Float, Lanes, Real};
 use crate::pose::{self, Pose};
 use crate::solutions::{
     ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions,
@@ -231,7 +229,7 @@ impl<T: Float, V: View> Task<'_, T, V> {
     fn tried(&self, plans: [&Plan<T, V::Branch>; 4]) -> ([Four<T>; 6], Four<T>) {
         // Where nothing is to be tried stand zeros.
         let rows = plans.map(|plan| if let Plan::Try(rows, ..) = plan { *rows } else { [T::lit(0.0); 6] });
-        let q = bends::commanded(&V::Arm::JOINTS, self.view.command(side::transposed(rows)));
+        let q = commanded(&V::Arm::JOINTS, self.view.command(transposed(rows)));
         let reached = self.view.arm().fk(&pose::column(q));
         (q, self.target.missed_by_all(&reached))
     }
@@ -270,6 +268,33 @@ impl<T: Float, V: View> Task<'_, T, V> {
         }
         Loose::Follow { joint, moving: set }
     }
+}
+
+/// A value for each of four placements.
+type Four<T> = Lanes<T, 4>;
+
+/// Joint by joint what came placement by placement.
+fn transposed<T>([a, b, c, d]: [[T; 6]; 4]) -> [Four<T>; 6] {
+    let ([a1, a2, a3, a4, a5, a6], [b1, b2, b3, b4, b5, b6]) = (a, b);
+    let ([c1, c2, c3, c4, c5, c6], [d1, d2, d3, d4, d5, d6]) = (c, d);
+    [
+        Lanes([a1, b1, c1, d1]),
+        Lanes([a2, b2, c2, d2]),
+        Lanes([a3, b3, c3, d3]),
+        Lanes([a4, b4, c4, d4]),
+        Lanes([a5, b5, c5, d5]),
+        Lanes([a6, b6, c6, d6]),
+    ]
+}
+
+/// Commanded values with their angles in (-π, π].
+fn commanded<T: Float>(joints: &[Joint; 6], mut q: [Four<T>; 6]) -> [Four<T>; 6] {
+    for (value, joint) in q.iter_mut().zip(joints) {
+        if joint.kind == JointKind::Revolute {
+            *value = value.wrap();
+        }
+    }
+    q
 }
 
 /// One of the ways of a wrist, if it has any.

@@ -4,15 +4,16 @@
 //! pose ─► wrist centre ─► base figures ─► four (t1, t2, t3) ─► ³R₆ = ⁰R₃ᵀ·R ─► wrist ─► eight (t1 … t6) ─► checked q
 //! ```
 
-use crate::ik::abreast::{self, Abreast};
+use crate::ik::abreast::Abreast;
 use crate::ik::sphere::{self, View};
 use crate::ik::target::Target;
-use crate::ik::wrist::Wrist;
-use crate::ik::{Base, finite, side, sliding};
+use crate::ik::wrist::{Rows, Wrist};
+use crate::ik::{Base, ElbowBase, finite, side, sliding, wrists};
 use crate::math::{self, Float, Real};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
 use crate::solutions::{ArmPosture, Bend, Free, Loose, Margins, Posture, Reason, Solutions};
+use crate::widths::{self, Instructions};
 use nalgebra::Matrix3;
 
 /// All solutions; free coordinates by the convention of seed 000.
@@ -36,11 +37,10 @@ pub fn solve_each<T: Float, A: SolveWrist<6>>(
     poses: &[Pose<T>],
     places: &mut [Option<Solutions<T, 6, Posture>>],
 ) {
-    // Where loops do not become vectors, branches side by side are faster. The constants of the base are looked at elsewhere,
-    // so that they stay known to the compiler here.
+    // Where loops do not become vectors nothing is won.
     if math::ROOT_IS_VISIBLE
-        && is_usual::<T, A>(arm)
         && let (Base::Elbow(base), Some(offsets)) = (arm.base::<T>(), arm.orthogonal_wrist::<T>())
+        && is_usual(arm, &base, &offsets)
     {
         let (chunks, rest) = poses.as_chunks::<ABREAST>();
         let (chunks_of_places, rest_of_places) = places.as_chunks_mut::<ABREAST>();
@@ -58,22 +58,16 @@ pub fn solve_each<T: Float, A: SolveWrist<6>>(
     }
 }
 
-/// Whether the constants of an arm are of a size for which nothing needs a branch: offsets for
-/// [`row_values`](crate::ik::wrist), turns for sines, lengths so that no product of three overflows.
-#[inline(never)]
-fn is_usual<T: Float, A: SolveWrist<6>>(arm: &A) -> bool {
-    let base = arm.base::<T>();
-    let (Base::Elbow(elbow), Some(wrist)) = (&base, arm.orthogonal_wrist::<T>()) else { return false };
+/// Whether the constants of an arm are of a size for which nothing needs a branch: offsets for the row values, turns for their
+/// sines, lengths so that no product of three overflows. Compilers know it of an arm without parameters.
+#[inline(always)]
+fn is_usual<T: Float, A: SolveWrist<6>>(arm: &A, base: &ElbowBase<T>, wrist: &Rows<T>) -> bool {
     let (zero, none) = (T::lit(0.0), [T::lit(0.0); 6]);
-    let offset = |offset: &T| {
-        let size = math::abs(*offset);
-        size == zero || (size >= T::lit(64.0) * T::EPS && size <= math::half_turn())
-    };
+    let offset = |offset: &T| math::abs(*offset) <= math::half_turn();
     let turn = |turn: &T| math::abs(*turn) <= T::lit(1e3);
-    let longest = elbow.reach / T::EPS;
-    A::WRIST_TURNS <= abreast::TURNS
-        && Target::new(&Pose::identity(), &base).is_ok()
-        && elbow.offset.iter().chain(&wrist.offset).all(offset)
+    let longest = base.reach / T::EPS;
+    A::WRIST_TURNS <= wrists::TURNS
+        && base.offset.iter().chain(&wrist.offset).all(offset)
         && arm.wrist_turns([zero; 3]).iter().chain(&arm.fk_turns(&pose::column(none))).all(turn)
         && math::is_finite(longest * longest * longest * T::lit(64.0))
 }
@@ -97,19 +91,45 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
     pose: &Pose<T>,
     hold: [Option<T>; 6],
 ) -> Solutions<T, 6, Posture> {
+    // A register of these holds four placements; wider ones would be half empty.
+    widths::run(
+        #[inline(always)]
+        || solve_here(arm, pose, hold),
+        Instructions::Avx2,
+    )
+}
+
+/// The same with the instructions of the caller, into which it is inlined as far as poses are regular.
+#[inline(always)]
+fn solve_here<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    pose: &Pose<T>,
+    hold: [Option<T>; 6],
+) -> Solutions<T, 6, Posture> {
     let base = arm.base::<T>();
     let target = match Target::new(pose, &base) {
         Ok(target) => target,
         Err(reason) => return Solutions::none(sliding(&A::JOINTS), reason),
     };
-    if let Base::Elbow(base) = &base
-        && let Some(solutions) = side::regular(arm, &target, base)
+    if let (Base::Elbow(base), Some(offsets)) = (&base, arm.orthogonal_wrist::<T>())
+        && is_usual(arm, base, &offsets)
+        && let Some(solutions) = side::regular(arm, &target, base, &offsets)
     {
         return solutions;
     }
+    singular(arm, &target, hold)
+}
+
+/// All solutions of a pose that may be near a singular one, or of an arm that is not usual.
+#[inline(never)]
+fn singular<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    target: &Target<T>,
+    hold: [Option<T>; 6],
+) -> Solutions<T, 6, Posture> {
     let [t1, t2, ..] = hold;
-    let placements = base.place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
-    sphere::solve_placed(&FromBase(arm), target, &placements, hold)
+    let placements = arm.base().place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
+    sphere::solve_placed(&FromBase(arm), *target, &placements, hold)
 }
 
 /// The arm as it stands.

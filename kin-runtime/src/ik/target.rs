@@ -164,23 +164,25 @@ fn defects<T: Real>([x, y, z]: &[[T; 3]; 3]) -> ([T; 6], T) {
     ([short(x), short(y), short(z), d, e, f], pose::dot(x, &cross(y, z)))
 }
 
-/// The sizes against which poses side by side are judged, and what is 0 where [`Target::for_reach`] takes the pose as it is.
+/// The size against which a pose is judged, and 0 where [`Target::for_reach`] takes it as it is; without a branch.
 #[inline(always)]
-pub(crate) fn judged<T: Float, const L: usize>(
-    pose: &Pose<Lanes<T, L>>,
-    reach: T,
-) -> (Lanes<T, L>, Lanes<T, L>) {
+pub(crate) fn judged<T: Float>(pose: &Pose<T>, reach: T) -> (T, T) {
     let (rotation, [x, y, z]) = pose::rows(pose);
-    let (x, y, z) = (x.abs(), y.abs(), z.abs());
-    let (largest, sum) = (x.greatest(y).greatest(z), x + y + z);
-    let mut refused = largest.unless(|largest| largest * T::EPS <= reach);
+    let (x, y, z) = (math::abs(x), math::abs(y), math::abs(z));
+    let (largest, sum) = (math::max(math::max(x, y), z), x + y + z);
     // The largest lets go of what is not a number; the sum does not.
-    refused = refused + sum.unless(|sum| sum < T::lit(f64::INFINITY));
+    let mut refused = unless::<T>(largest * T::EPS <= reach) + unless(sum < T::lit(f64::INFINITY));
     let (defects, determinant) = defects(&rotation);
     for defect in defects {
-        refused = refused + defect.unless(|defect| math::abs(defect) <= T::lit(ROUNDED) * T::EPS);
+        refused += unless(math::abs(defect) <= T::lit(ROUNDED) * T::EPS);
     }
-    (largest.greatest(Lanes::splat(reach)), refused + determinant.unless(|volume| volume > T::lit(0.0)))
+    (math::max(largest, reach), refused + unless(determinant > T::lit(0.0)))
+}
+
+/// 1 where something does not hold, 0 where it does: a number, of which compilers make vectors.
+#[inline(always)]
+pub(crate) fn unless<T: Float>(holds: bool) -> T {
+    if holds { T::lit(0.0) } else { T::lit(1.0) }
 }
 
 /// As [`orthonormal`], for a matrix of any numbers.

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Corner, cone_meets_cone};
 use crate::ik::{DOUBTFUL, FAMILY, ROUND_OFF};
-use crate::math::{self, Float, Lanes, Real};
+use crate::math::{self, Float, Real};
 use crate::pose;
 
 /// What the last three joints can do about a rotation. All values are row values: angles in (-π, π].
@@ -89,23 +89,16 @@ pub fn row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
     math::wrap(row_length(figure, offset, reversed))
 }
 
-/// The row values of figure angles in [-π, π]. Those of a lane that is alone are in (-π, π] then; offsets must be zero or more
-/// than round-off, and at most half a turn.
+/// As [`row_value`], without a branch: of a figure angle in [-π, π] and an offset of at most half a turn.
 #[inline(always)]
-pub(crate) fn row_values<T: Float, const L: usize>(
-    figure: Lanes<T, L>,
-    offset: T,
-    reversed: bool,
-) -> Lanes<T, L> {
-    let row = row_length(figure, Lanes::splat(offset), reversed);
-    if !Lanes::<T, L>::ALONE {
-        row
-    } else if offset == T::lit(0.0) {
-        row.map(math::without_minus_half)
+pub(crate) fn straight_row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
+    let row = row_length(figure, offset, reversed);
+    if offset == T::lit(0.0) {
+        math::without_minus_half(row)
     } else if (offset > T::lit(0.0)) != reversed {
-        row.map(math::wrap_up)
+        math::wrap_up(row)
     } else {
-        row.map(math::wrap_down)
+        math::wrap_down(row)
     }
 }
 

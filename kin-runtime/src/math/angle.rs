@@ -36,50 +36,27 @@ pub(super) fn straight(y: f64, x: f64) -> f64 {
     usual(y, x)
 }
 
-/// Angles side by side, each with the bits that [`atan2`] gives.
+/// Angles side by side, each with the bits that [`atan2`] gives; with the instructions of the caller.
 #[inline(always)]
-pub(super) fn atan2_each(angles: &mut [f64], x: &[f64]) {
-    let (fours, rest) = angles.as_chunks_mut::<4>();
-    let (four_x, rest_x) = x.as_chunks::<4>();
-    for (angles, x) in fours.iter_mut().zip(four_x) {
-        let ([a, b, c, d], [x, y, z, w]) = (*angles, *x);
-        *angles = four((a, x), (b, y), (c, z), (d, w));
+pub(super) fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] {
+    let (mut angles, mut all_usual) = (y, true);
+    for (angle, x) in angles.iter_mut().zip(x) {
+        // Without an early return, which is a branch for each lane.
+        all_usual &= is_usual(*angle, x);
+        *angle = usual(*angle, x);
     }
-    let (twos, rest) = rest.as_chunks_mut::<2>();
-    let (two_x, rest_x) = rest_x.as_chunks::<2>();
-    for (angles, x) in twos.iter_mut().zip(two_x) {
-        let ([a, b], [x, y]) = (*angles, *x);
-        *angles = two((a, x), (b, y));
+    if !all_usual {
+        repair(&mut angles, &y, &x);
     }
-    for (angle, x) in rest.iter_mut().zip(rest_x) {
-        *angle = atan2(*angle, *x);
-    }
+    angles
 }
 
-/// Four angles at once. The coordinates come one by one, because a call has registers for them: numbers that were just
-/// written to memory one at a time cannot be read from there as a vector without waiting.
-#[inline(never)]
-fn four(a: (f64, f64), b: (f64, f64), c: (f64, f64), d: (f64, f64)) -> [f64; 4] {
-    // Without `&&`, which is a branch for each.
-    if (is_usual(a.0, a.1) & is_usual(b.0, b.1)) & (is_usual(c.0, c.1) & is_usual(d.0, d.1)) {
-        [usual(a.0, a.1), usual(b.0, b.1), usual(c.0, c.1), usual(d.0, d.1)]
-    } else {
-        let ([a, b], [c, d]) = (each(a, b), each(c, d));
-        [a, b, c, d]
-    }
-}
-
-/// Two angles at once.
-#[inline(never)]
-fn two(a: (f64, f64), b: (f64, f64)) -> [f64; 2] {
-    if is_usual(a.0, a.1) & is_usual(b.0, b.1) { [usual(a.0, a.1), usual(b.0, b.1)] } else { each(a, b) }
-}
-
-/// Two angles, one after the other.
+/// Puts right what the usual way cannot know.
 #[cold]
-#[inline(never)]
-fn each(a: (f64, f64), b: (f64, f64)) -> [f64; 2] {
-    [atan2(a.0, a.1), atan2(b.0, b.1)]
+fn repair(angles: &mut [f64], y: &[f64], x: &[f64]) {
+    for ((angle, y), x) in angles.iter_mut().zip(y).zip(x) {
+        *angle = atan2(*y, *x);
+    }
 }
 
 /// Whether the quotient of the coordinates and their sum are numbers.

@@ -79,15 +79,10 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
     #[inline]
     fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         let mut angles = y;
-        Self::atan2_each(&mut angles, &x);
-        angles
-    }
-    /// Replaces each `y` by the angle of the plane vector (x, y), as [`atan2`](Float::atan2); what has no `x` stays.
-    #[inline]
-    fn atan2_each(y: &mut [Self], x: &[Self]) {
-        for (y, x) in y.iter_mut().zip(x) {
-            *y = Float::atan2(*y, *x);
+        for (angle, x) in angles.iter_mut().zip(x) {
+            *angle = Float::atan2(*angle, x);
         }
+        angles
     }
     /// Sine and cosine without a branch: the bits of [`sin_cos`](Real::sin_cos) for angles of less than a thousand turns and
     /// NaN for NaN; of others, nothing of meaning.
@@ -141,8 +136,8 @@ impl Float for f64 {
         angle::atan2(y, x)
     }
     #[inline(always)]
-    fn atan2_each(y: &mut [Self], x: &[Self]) {
-        angle::atan2_each(y, x);
+    fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        angle::atan2_lanes(y, x)
     }
     #[inline(always)]
     fn sin_cos_straight(x: Self) -> (Self, Self) {
@@ -219,9 +214,7 @@ impl Float for f32 {
     }
     #[inline]
     fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
-        let mut angles = wide(y);
-        angle::atan2_each(&mut angles, &wide(x));
-        narrow(angles)
+        narrow(angle::atan2_lanes(wide(y), wide(x)))
     }
     #[inline(always)]
     fn sin_cos_straight(x: Self) -> (Self, Self) {

@@ -1,11 +1,9 @@
-//! For which instructions a batch is compiled, and which of them the machine has.
+//! For which instructions loops are compiled, and which of them the machine has.
 //!
 //! The loops are the same in all of them, over plain arrays; compilers make vectors of those, as wide as they may. Nothing is
 //! contracted to fused multiply-additions, though the machines that are asked for have them: the bits are the same.
 
-use super::run::Work;
-
-/// Sets of instructions that batches are compiled for, the narrowest first.
+/// Sets of instructions that loops over lanes are compiled for, the narrowest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[non_exhaustive]
 pub enum Instructions {
@@ -20,7 +18,7 @@ pub enum Instructions {
 impl Instructions {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
-    pub(super) const WIDEST: Self = Self::Avx512;
+    pub(crate) const WIDEST: Self = Self::Avx512;
 
     /// Whether this machine has them, and this build asks it.
     pub fn are_here(self) -> bool {
@@ -36,8 +34,9 @@ impl Instructions {
     }
 }
 
-/// Does the work with the widest instructions that are here.
-pub(super) fn run(work: impl Work, at_most: Instructions) {
+/// Does something with the widest instructions that are here. It must be inlined all the way, to be compiled for each of them.
+#[inline(always)]
+pub(crate) fn run<R>(task: impl FnOnce() -> R, at_most: Instructions) -> R {
     #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
     {
         use pulp::Simd;
@@ -45,29 +44,29 @@ pub(super) fn run(work: impl Work, at_most: Instructions) {
         if at_most >= Instructions::Avx512
             && let Some(wide) = V4::try_new()
         {
-            return Simd::vectorize(wide, Compiled(work));
+            return Simd::vectorize(wide, Compiled(task));
         }
         if at_most >= Instructions::Avx2
             && let Some(wide) = V3::try_new()
         {
-            return Simd::vectorize(wide, Compiled(work));
+            return Simd::vectorize(wide, Compiled(task));
         }
     }
     #[cfg(not(all(feature = "std", target_arch = "x86_64", any(unix, windows))))]
     let _ = at_most;
-    work.run();
+    task()
 }
 
-/// Work that pulp compiles for a set of instructions.
+/// What pulp compiles for a set of instructions.
 #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
-struct Compiled<W>(W);
+struct Compiled<F>(F);
 
 #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
-impl<W: Work> pulp::WithSimd for Compiled<W> {
-    type Output = ();
+impl<R, F: FnOnce() -> R> pulp::WithSimd for Compiled<F> {
+    type Output = R;
 
     #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        self.0.run();
+    fn with_simd<S: pulp::Simd>(self, _: S) -> R {
+        (self.0)()
     }
 }
