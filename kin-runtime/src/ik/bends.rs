@@ -41,14 +41,8 @@ impl<T: Float> Turned<T> {
         Some([*self.sines.get(index)?, *self.cosines.get(index)?])
     }
 
-    /// Zero, or NaN if a sine is none.
-    #[inline(always)]
-    fn nothing(&self) -> T {
-        let [a, b, c, d, e, f, g, h] = self.sines;
-        (((a + b) + (c + d)) + ((e + f) + (g + h))) * T::lit(0.0)
-    }
-
-    /// Sine and cosine of an angle that is half a turn from one of these but for round-off; NaN if it is not.
+    /// Sine and cosine of an angle that is half a turn from one of these but for round-off. Of any other they would be so far
+    /// off that forward kinematics misses the pose.
     #[inline(always)]
     fn across(&self, index: usize, angle: T) -> Option<[T; 2]> {
         let (known, [sine, cosine]) = (*self.angles.get(index)?, self.of(index)?);
@@ -59,8 +53,6 @@ impl<T: Float> Turned<T> {
         let (half, rest) = (math::half_turn::<T>(), T::TURN.1 * T::lit(0.5));
         let sign = if by > T::lit(0.0) { T::lit(1.0) } else { T::lit(-1.0) };
         let over = ((by - sign * half) + lost) - sign * rest;
-        let is_round_off = math::abs(over) <= T::lit(4.0) * T::EPS;
-        let over = if is_round_off { over } else { T::lit(f64::NAN) };
         Some([-(sine + cosine * over), sine * over - cosine])
     }
 }
@@ -180,8 +172,8 @@ pub(super) fn residuals<T: Float, A: SolveWrist<6>>(
         },
     );
     [
-        missed(pose, per_scale, &arm.fk_turned(&noflip, &first.sines, &first.cosines)) + first.nothing(),
-        missed(pose, per_scale, &arm.fk_turned(&flip, &second.sines, &second.cosines)) + second.nothing(),
+        missed(pose, per_scale, &arm.fk_turned(&noflip, &first.sines, &first.cosines)),
+        missed(pose, per_scale, &arm.fk_turned(&flip, &second.sines, &second.cosines)),
     ]
 }
 
@@ -194,18 +186,18 @@ pub(super) fn joint_values<T: Float, A: SolveWrist<6>>(arm: &A, rows: [T; 6]) ->
 }
 
 /// How far a pose misses another, `per_scale` being one over the scale: see [`Target::missed_by`](crate::ik::target::Target).
+/// A comparison lets go of what is not a number; but here all are where the wrist's matrix is one of numbers, which
+/// [`Aimed::sine`] tells.
 #[inline(always)]
 fn missed<T: Float>(pose: &Pose<T>, per_scale: T, other: &Pose<T>) -> T {
     let (([x, y, z], p), ([u, v, w], q)) = (pose::rows(pose), pose::rows(other));
-    let ([x, _], [y, _], [z, _], [p, all]) = (far(x, u), far(y, v), far(z, w), far(p, q));
-    // A comparison lets go of what is not a number; a sum does not, and adds nothing to what is one. Entries of the rotation
-    // are none only where a sine is.
-    math::max(math::max(math::max(x, y), z), p * per_scale) + all * T::lit(0.0)
+    let (x, y, z, p) = (far(x, u), far(y, v), far(z, w), far(p, q));
+    math::max(math::max(math::max(x, y), z), p * per_scale)
 }
 
-/// The largest difference between two triples, and the sum of all.
+/// The largest difference between two triples.
 #[inline(always)]
-fn far<T: Float>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> [T; 2] {
+fn far<T: Float>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> T {
     let [a, b, c] = [math::abs(a - d), math::abs(b - e), math::abs(c - f)];
-    [math::max(math::max(a, b), c), a + b + c]
+    math::max(math::max(a, b), c)
 }

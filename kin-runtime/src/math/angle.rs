@@ -102,13 +102,13 @@ fn usual(y: f64, x: f64) -> f64 {
     let above = least - if upper { most } else { 0.0 };
     let below = most + if upper { least } else { 0.0 };
     let t = above / below;
-    let bend = t * (t * t) * polynomial(t * t);
     // The octant says how many eighths of a turn there are besides, and whether the angle counts back from them.
     let (quarter, turned) = (if steep { 2.0 } else { 0.0 }, 1.0_f64.copysign(x));
     let (half, forth) = (2.0 - (turned + turned), 1.0 - quarter);
-    let eighths = quarter + forth * if upper { 1.0 } else { 0.0 };
-    let (eighths, forth) = (half + turned * eighths, turned * forth);
-    let angle = eighths * FRAC_PI_4 + (forth * t + (eighths * EIGHTH_REST - forth * bend));
+    let eighths = half + turned * (quarter + if upper { forth } else { 0.0 });
+    let way = (turned * forth) * t;
+    let bend = way * (t * t) * polynomial(t * t);
+    let angle = eighths * FRAC_PI_4 + (way + (eighths * EIGHTH_REST - bend));
     angle.copysign(y)
 }
 
