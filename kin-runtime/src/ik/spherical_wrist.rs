@@ -18,7 +18,7 @@ use nalgebra::Matrix3;
 
 /// All solutions; free coordinates by the convention of seed 000.
 pub fn solve<T: Float, A: SolveWrist<6>>(arm: &A, pose: &Pose<T>) -> Solutions<T, 6, Posture> {
-    solve_choosing(arm, pose, [None; 6])
+    solve_choosing(arm, pose, &[None; 6])
 }
 
 /// All solutions; free coordinates keep their values in `hold`, those that are not finite take the convention's.
@@ -27,7 +27,7 @@ pub fn solve_holding<T: Float, A: SolveWrist<6>>(
     pose: &Pose<T>,
     hold: &Joints<T, 6>,
 ) -> Solutions<T, 6, Posture> {
-    solve_choosing(arm, pose, finite(arm.rows(pose::entries(hold))))
+    solve_choosing(arm, pose, &finite(arm.rows(pose::entries(hold))))
 }
 
 /// All solutions of many poses, for batches: side by side where the arm has an elbow and an orthogonal wrist.
@@ -89,7 +89,7 @@ fn one_by_one<T: Float, A: SolveWrist<6>>(
 fn solve_choosing<T: Float, A: SolveWrist<6>>(
     arm: &A,
     pose: &Pose<T>,
-    hold: [Option<T>; 6],
+    hold: &[Option<T>; 6],
 ) -> Solutions<T, 6, Posture> {
     // A register of these holds four placements; wider ones would be half empty.
     widths::run(
@@ -104,7 +104,7 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
 fn solve_here<T: Float, A: SolveWrist<6>>(
     arm: &A,
     pose: &Pose<T>,
-    hold: [Option<T>; 6],
+    hold: &[Option<T>; 6],
 ) -> Solutions<T, 6, Posture> {
     let base = arm.base::<T>();
     let target = match Target::new(pose, &base) {
@@ -125,11 +125,11 @@ fn solve_here<T: Float, A: SolveWrist<6>>(
 fn singular<T: Float, A: SolveWrist<6>>(
     arm: &A,
     target: &Target<T>,
-    hold: [Option<T>; 6],
+    hold: &[Option<T>; 6],
 ) -> Solutions<T, 6, Posture> {
-    let [t1, t2, ..] = hold;
+    let [t1, t2, ..] = *hold;
     let placements = arm.base().place(arm.wrist_centre(&target.pose), target.scale, [t1, t2]);
-    sphere::solve_placed(&FromBase(arm), *target, &placements, hold)
+    sphere::solve_placed(&FromBase(arm), *target, &placements, *hold)
 }
 
 /// The arm as it stands.
