@@ -10,7 +10,7 @@
 //!   poses of a batch (`abreast`); `wrists` is the loops that both have.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
-//! * [`short`]: poses of arms with two to five joints.
+//! * [`short`]: poses of arms with two to five joints; `freed`, where the place of the point leaves joints free.
 //! * [`closest`]: the nearest that a base comes to what it does not reach.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
 //!
@@ -34,6 +34,7 @@ mod bends;
 pub mod closest;
 pub mod conic;
 mod elbow;
+mod freed;
 pub mod general;
 mod lines;
 pub mod pair;

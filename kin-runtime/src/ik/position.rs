@@ -1,14 +1,18 @@
 //! Two or three joints: alone they put the tool point in its place.
 
 use crate::arm::Arm;
-use crate::ik::base::Placements;
+use crate::ik::base::{Placed, Placements};
+use crate::ik::general::{Axis, SLACK, length};
 use crate::ik::target::{accepted, distance, size};
 use crate::ik::{Base, PairBase, finite, given_out, sliding};
-use crate::math::Float;
+use crate::math::{self, Float};
 use crate::pose::{self, Joints};
 use crate::private::{Carried, SolvePosition};
 use crate::solutions::{ArmPosture, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions};
 use nalgebra::Point3;
+
+/// The angle from folded, or the extension over the reach, below which the links may bring the point beside axis 2.
+const FOLDED: f64 = 1.0 / 64.0;
 
 /// The joints that carry a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -33,6 +37,33 @@ impl<T: Float> Carrier<T> {
         match self {
             Carrier::Three(base) => base.reach(),
             Carrier::Two(pair) => pair.reach,
+        }
+    }
+
+    /// Whether the point is so near the axes of joints 1 and 2 that its place says next to nothing of them: where two ways meet, the
+    /// figures know it to the root of their round-off.
+    pub(crate) fn beside(&self, placed: &Placed<T>, size: T) -> [bool; 2] {
+        let near = T::lit(SLACK) * math::sqrt(T::EPS) * size;
+        let is_near = |axis: &Axis<T>, point| !axis.slides && length(axis.arm(point)) <= near;
+        let [_, t2, t3] = placed.rows;
+        match self {
+            Carrier::Three(base) => {
+                let unit = match base {
+                    Base::Elbow(_) => T::lit(1.0),
+                    Base::Telescope(base) => base.reach,
+                    Base::General(_) => T::lit(f64::INFINITY),
+                };
+                // In a plane the axes are passed only where a figure is all but singular.
+                if placed.shoulder > near && placed.elbow > unit * T::lit(FOLDED) {
+                    return [false; 2];
+                }
+                let base = base.lines();
+                let ([first, second, third], [_, o2, o3]) = (&base.axes, base.offset);
+                let lifted = third.moved(base.carried, t3 + o3);
+                [is_near(first, second.moved(lifted, t2 + o2)), is_near(second, lifted)]
+            }
+            // The shoulder of a pair is the distance from axis 1.
+            Carrier::Two(_) => [placed.shoulder <= near, false],
         }
     }
 

@@ -1,27 +1,34 @@
 //! Two to five joints: the first two or three carry a point of the tool, the others, none to two, turn the tool about it.
 //!
 //! A pose asks for more than such an arm can do. The point is put in its place in closed form, the turns are read from what
-//! rotation remains, small steps in all joints take back what round-off has made of either, and forward kinematics decides: where the pose is none of the arm's, the reason says whether the point is
-//! off the surface that the arm reaches, or by which angle the tool cannot be turned as the pose asks.
+//! rotation remains, small steps in all joints take back what round-off has made of either, and forward kinematics decides: where the
+//! pose is none of the arm's, the reason says whether the point is off the surface that the arm reaches, or by which angle the tool
+//! cannot be turned as the pose asks.
 //!
-//! Where the point lies on the axis of a joint that carries it, so that its place leaves that joint free, the orientation
-//! tells its value. How well the axes of the turns fit the pose is then A + B·cos θ + C·sin θ: it is asked for three values.
+//! Where the point lies on the axes of joints that carry it, so that its place leaves them free, the orientation tells their values:
+//! `freed`.
 
 use crate::ik::base::Placed;
-use crate::ik::settle::improved;
-use crate::ik::target::{Target, accepted, distance};
-use crate::ik::{ACCEPTED, FAMILY, finite, given_out, sliding};
+use crate::ik::freed::nothing;
+use crate::ik::general::SLACK;
+use crate::ik::settle::{improved, settle};
+use crate::ik::target::{Target, distance};
+use crate::ik::{ACCEPTED, Carrier, finite, given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Carried, SolveShort};
 use crate::solutions::{
-    ArmPosture, Boundary, Elbow, Free, JointSet, Loose, Margins, Reason, Shoulder, Slot, Solution, Solutions,
+    ArmPosture, Boundary, Elbow, Free, Margins, Reason, Shoulder, Slot, Solution, Solutions,
 };
 
 /// How far joint values that were read from figures may miss the pose and still be led onto it, as the largest entry of a
 /// rotation or of a position over the reach. Beside an axis the direction to the point is its own round-off over its distance: just
 /// outside the window in which that joint counts as free an eighth of a radian.
 const ASTRAY: f64 = 0.25;
+
+/// What a solution may miss, in units of ε. A pose asks more of such an arm than it can do: what misses by more may be a compromise
+/// on a pose that the arm does not reach in this way.
+const REACHED: f64 = 16.0;
 
 /// The joints that turn the tool about the carried point, and how their angles are read from a rotation m.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -60,7 +67,7 @@ impl<T: Float> Turns<T> {
     }
 
     /// Nothing where the axes fit. For none or one this is the most there can be.
-    fn gap(&self, m: &[[T; 3]; 3]) -> T {
+    pub(super) fn gap(&self, m: &[[T; 3]; 3]) -> T {
         let [[m11, _, _], [_, m22, _], [_, _, m33]] = *m;
         match self {
             Turns::None => m11 + m22 + m33 - T::lit(3.0),
@@ -106,7 +113,8 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
         *value = hold.get(joint).copied().flatten();
     }
     let placements = carrier.place(arm.carried_point(&target.pose), target.scale, held);
-    let task = Task { arm, target, turns: arm.turns() };
+    let [first, _] = held;
+    let task = Task { arm, carrier, target, turns: arm.turns(), held: first.is_some() };
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
     for branch in B::ALL {
         let slot = match branch.base().pick(placements.each_ref()) {
@@ -115,15 +123,36 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
         };
         solutions.put(*branch, slot);
     }
-    solutions.merge(carrier.reach());
+    solutions.merge(task.carrier.reach());
     solutions
 }
 
+/// Joint values of one placement, and what was made of them.
+#[derive(Clone, Copy)]
+struct Attempt<T, const N: usize> {
+    q: Joints<T, N>,
+    missed: T,
+    free: Free<N>,
+    /// As they were read from the figures.
+    read: Joints<T, N>,
+    /// Whether they are farther from there than the rounding of regular figures explains.
+    strayed: bool,
+}
+
+impl<T: Float, const N: usize> Attempt<T, N> {
+    fn reaches(&self) -> bool {
+        self.missed <= T::lit(REACHED) * T::EPS
+    }
+}
+
 /// What is asked of an arm.
-struct Task<'a, T: Float, A> {
+pub(super) struct Task<'a, T: Float, A> {
     arm: &'a A,
+    carrier: Carrier<T>,
     target: Target<T>,
-    turns: Turns<T>,
+    pub(super) turns: Turns<T>,
+    /// Whether joint 1 keeps a value if it is free.
+    pub(super) held: bool,
 }
 
 impl<T: Float, A> Task<'_, T, A> {
@@ -132,26 +161,97 @@ impl<T: Float, A> Task<'_, T, A> {
     where
         A: SolveShort<N>,
     {
-        let (base, free) = self.oriented(branch.base(), placed);
+        let (posture, rows) = (branch.base(), placed.rows);
+        let free = [placed.shoulder_free, placed.elbow_free];
+        let (base, left) = self.oriented(posture, rows, free);
+        let own = self.attempt(base, left);
+        let best = match self.carrier.beside(placed, self.target.scale) {
+            [false, false] => own,
+            _ if own.reaches() && own.free != nothing() => own,
+            beside => self.beside(posture, rows, beside, own),
+        };
+        let Attempt { q, missed, free, read, .. } = best;
+        let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
+        if best.reaches() {
+            return Slot::Solved(Solution { branch, q, residual: missed, margins, free });
+        }
+        // What the pose asks too much of is told of the figures: a compromise would blame a little of everything.
+        Slot::Empty(if math::is_finite(missed) {
+            self.reason(&self.arm.fk(&read), missed)
+        } else {
+            Reason::NotAnArm
+        })
+    }
+
+    /// Beside an axis the rounding of the figures has left little of that joint: it is as good as free, and asked of the
+    /// orientation. If that does not tell it either, small steps begin on either side of the axis, then between them.
+    fn beside<const N: usize>(
+        &self,
+        posture: ArmPosture,
+        rows: [T; 3],
+        [first, second]: [bool; 2],
+        own: Attempt<T, N>,
+    ) -> Attempt<T, N>
+    where
+        A: SolveShort<N>,
+    {
+        for free in [[first, second], [false, second], [first, false]] {
+            let (base, left) = self.oriented(posture, rows, free);
+            if free != [false; 2] && left == nothing() {
+                let told = self.attempt(base, left);
+                if told.reaches() {
+                    return told;
+                }
+            }
+        }
+        let opposite = [first && posture.shoulder == Shoulder::Left, second && posture.elbow == Elbow::Down];
+        if own.reaches() && (!own.strayed || opposite == [false; 2]) {
+            return own;
+        }
+        let ([t1, t2, t3], [opposite1, opposite2]) = (rows, opposite);
+        let half = math::half_turn::<T>();
+        for quarter in [T::lit(0.0), half * T::lit(0.5)] {
+            let turned = |t: T, beside, opposite| {
+                let side = if opposite { half + quarter } else { quarter };
+                if beside { math::wrap(t + side) } else { t }
+            };
+            let aside =
+                self.attempt([turned(t1, first, opposite1), turned(t2, second, opposite2), t3], nothing());
+            if aside.reaches() {
+                return aside;
+            }
+        }
+        own
+    }
+
+    /// The turns that the pose asks for once the point is in its place, and all joints settled on it together if they are near:
+    /// beside an axis the place of the point says little of that joint, the orientation more.
+    fn attempt<const N: usize>(&self, base: [T; 3], free: Free<N>) -> Attempt<T, N>
+    where
+        A: SolveShort<N>,
+    {
         let read = self.joints(base);
-        let reached = self.arm.fk(&read);
-        let mut found = (read, self.target.missed_by(&reached));
-        if found.1 <= T::lit(ASTRAY) {
-            // Near an axis the place of the point says little of that joint, the orientation more: together they are settled.
+        let missed = self.target.missed_by(&self.arm.fk(&read));
+        let mut found = (read, missed);
+        if missed <= T::lit(ASTRAY) {
             found = improved(self.arm, &self.target, found);
         }
         let (q, missed) = found;
-        let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
-        match accepted(missed) {
-            Ok(residual) => Slot::Solved(Solution { branch, q, residual, margins, free }),
-            // What the pose asks too much of is told of the figures: a compromise would blame a little of everything.
-            Err(Reason::Inaccurate { residual }) => Slot::Empty(self.reason(&reached, residual)),
-            Err(reason) => Slot::Empty(reason),
+        let near = T::lit(SLACK) * math::sqrt(T::EPS);
+        if missed > T::lit(REACHED) * T::EPS && missed <= near {
+            // Steps that all come nearer end where two directions are lost together; those that need not do so end on the pose.
+            if let Some((q, settled)) = settle(self.arm, &self.target.pose, &q)
+                && settled < missed
+            {
+                let q = given_out(pose::entries(&q), &A::JOINTS);
+                return Attempt { q, missed: settled, free: nothing(), read, strayed: true };
+            }
         }
+        Attempt { q, missed, free, read, strayed: false }
     }
 
     /// All joint values, from the row values of those that carry the point.
-    fn joints<const N: usize>(&self, base: [T; 3]) -> Joints<T, N>
+    pub(super) fn joints<const N: usize>(&self, base: [T; 3]) -> Joints<T, N>
     where
         A: SolveShort<N>,
     {
@@ -180,70 +280,11 @@ impl<T: Float, A> Task<'_, T, A> {
     }
 
     /// The rotation that the turns must produce.
-    fn rest<const N: usize>(&self, base: [T; 3]) -> [[T; 3]; 3]
+    pub(super) fn rest<const N: usize>(&self, base: [T; 3]) -> [[T; 3]; 3]
     where
         A: SolveShort<N>,
     {
         pose::matrix_rows(&self.arm.rest(self.rows(base), &self.target.pose))
-    }
-
-    /// The placement with the value of a free joint that the orientation asks for; what it leaves free all the same.
-    fn oriented<const N: usize>(&self, posture: ArmPosture, placed: &Placed<T>) -> ([T; 3], Free<N>)
-    where
-        A: SolveShort<N>,
-    {
-        let nothing = Free { shoulder: None, elbow: None, wrist: None };
-        let (index, far) = match (placed.shoulder_free, placed.elbow_free) {
-            (true, _) if A::CARRIERS == 3 => (0, posture.shoulder == Shoulder::Left),
-            (true, _) => (0, posture.elbow == Elbow::Down),
-            (false, true) => (1, posture.elbow == Elbow::Down),
-            (false, false) => return (placed.rows, nothing),
-        };
-        let with = |value: T| {
-            let mut base = placed.rows;
-            if let Some(row) = base.get_mut(index) {
-                *row = value;
-            }
-            base
-        };
-        let quarter = math::half_turn::<T>() * T::lit(0.5);
-        let [at_0, at_90, at_180] =
-            [T::lit(0.0), quarter, quarter + quarter].map(|t| self.turns.gap(&self.rest(with(t))));
-        let half = T::lit(0.5);
-        let (mean, cosine) = ((at_0 + at_180) * half, (at_0 - at_180) * half);
-        let (sine, amplitude) = (at_90 - mean, math::hypot(cosine, at_90 - mean));
-        if amplitude <= T::lit(FAMILY) * T::EPS {
-            return (placed.rows, self.family(index, placed.rows, with));
-        }
-        let middle = math::atan2(sine, cosine);
-        // With none or one the axes fit where they fit best; with two on either side of that.
-        let swing = match self.turns {
-            Turns::Two { .. } => {
-                let across = math::sqrt_or_zero((amplitude - mean) * (amplitude + mean));
-                math::atan2(across, -mean)
-            }
-            Turns::None | Turns::One { .. } => T::lit(0.0),
-        };
-        (with(math::wrap(if far { middle - swing } else { middle + swing })), nothing)
-    }
-
-    /// A joint that the orientation leaves free too, and the joints that follow it.
-    fn family<const N: usize>(&self, index: usize, here: [T; 3], with: impl Fn(T) -> [T; 3]) -> Free<N>
-    where
-        A: SolveShort<N>,
-    {
-        let joint = A::ORDER.get(index).copied().unwrap_or(0);
-        let mut moving = JointSet::EMPTY.with(joint);
-        let now = here.get(index).copied().unwrap_or(T::lit(0.0));
-        let (here, there) = (self.joints::<N>(here), self.joints::<N>(with(now + T::lit(0.5))));
-        for (other, (a, b)) in pose::entries(&here).into_iter().zip(pose::entries(&there)).enumerate() {
-            if math::abs(math::wrap(a - b)) > T::lit(64.0) * math::sqrt(T::EPS) {
-                moving = moving.with(other);
-            }
-        }
-        let loose = Some(Loose::Follow { joint: joint as u8, moving });
-        let (shoulder, elbow) = if index == 0 { (loose, None) } else { (None, loose) };
-        Free { shoulder, elbow, wrist: None }
     }
 
     /// Why the nearest that the arm does is not the pose.

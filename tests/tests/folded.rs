@@ -1,0 +1,146 @@
+//! Short arms folded onto the axes of the joints that carry their point: what the place does not tell of these joints the
+//! orientation does, or leaves free, and no pose that is reached comes back empty.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use kin_runtime::prelude::*;
+use kin_runtime::{JointKind, dexterity, math};
+use tests::invented::{ScaraFolding, SlidingRrprr};
+use tests::reliability::subject::Bits;
+use tests::sample::Sampler;
+
+const POSES: usize = if cfg!(debug_assertions) { 600 } else { 6000 };
+
+dh! {
+    /// Folded, its third axis crosses axis 1 where axis 2 does, and is parallel to axis 2.
+    struct Waist(standard, m, deg);
+
+    | joint | theta | d   | a   | alpha |
+    |-------|-------|-----|-----|-------|
+    | J1    | q     | 0.3 | 0   | 90    |
+    | J2    | q     | 0   | 0.4 | 0     |
+    | J3    | q     | 0   | 0.4 | 0     |
+    | J4    | q     | 0   | 0.1 | 0     |
+    tool: Ry(90);
+}
+
+dh! {
+    /// The same with a roll.
+    struct Roll(standard, m, deg);
+
+    | joint | theta  | d    | a   | alpha |
+    |-------|--------|------|-----|-------|
+    | J1    | q      | 0.3  | 0   | 90    |
+    | J2    | q      | 0    | 0.4 | 0     |
+    | J3    | q      | 0    | 0.4 | 0     |
+    | J4    | q + 90 | 0    | 0   | 90    |
+    | J5    | q      | 0.15 | 0   | 0     |
+}
+
+dh! {
+    /// Its links beside axis 1: folded, the point is as near to that as it can be, and both shoulders are one.
+    struct Beside(standard, m, deg);
+
+    | joint | theta  | d    | a    | alpha |
+    |-------|--------|------|------|-------|
+    | J1    | q      | 0.3  | 0    | -90   |
+    | J2    | q      | 0.3  | 0.28 | 0     |
+    | J3    | q      | 0    | 0.28 | 0     |
+    | J4    | q + 90 | 0    | 0    | -90   |
+    | J5    | q      | 0.15 | 0.59 | 0     |
+}
+
+fn apart<T: Bits, const N: usize, A: Arm<N>>(_: &A, a: &Joints<T, N>, b: &Joints<T, N>) -> f64 {
+    let way = |i: usize| {
+        let way = a[i].wide() - b[i].wide();
+        if A::JOINTS[i].kind == JointKind::Revolute { math::wrap(way).abs() } else { way.abs() }
+    };
+    (0..N).map(way).fold(0.0, f64::max)
+}
+
+fn missed<T: Bits, const N: usize, A: Arm<N>>(arm: &A, q: &Joints<T, N>, pose: &Pose<T>) -> f64 {
+    let largest = |difference: &[T]| difference.iter().map(|x| x.wide().abs()).fold(0.0, f64::max);
+    let reached = arm.fk(q);
+    let shift = largest((reached.translation.vector - pose.translation.vector).as_slice());
+    let size = largest(pose.translation.vector.as_slice()).max(arm.reach());
+    let turn = largest((reached.rotation.matrix() - pose.rotation.matrix()).as_slice());
+    turn.max(shift / size)
+}
+
+/// One joint at ±10⁻ᵏ from where it folds the arm, the others anywhere or, if they may meet there, at such a distance from a
+/// multiple of a quarter turn.
+fn aimed<const N: usize, A: Arm<N>>(
+    arm: &A,
+    (fold, folded): (usize, f64),
+    meet: bool,
+    random: &mut Sampler,
+) -> [f64; N] {
+    let off = |random: &mut Sampler| {
+        let size = 10_f64.powi(-(random.below(18) as i32));
+        [size, -size, 0.0][random.below(3)]
+    };
+    std::array::from_fn(|i| {
+        let slides = A::JOINTS[i].kind == JointKind::Prismatic;
+        if i == fold {
+            folded + off(random)
+        } else if slides {
+            random.between(-0.5, 0.5) * arm.reach()
+        } else if meet && random.below(3) == 0 {
+            FRAC_PI_2 * random.below(4) as f64 + off(random)
+        } else {
+            random.between(-PI, PI)
+        }
+    })
+}
+
+/// Poses come back: none empty, each solution on the pose, and the joints that made it among them or in a family of theirs.
+fn poses<T: Bits, const N: usize, A: InverseKinematics<N>>(arm: &A, at: (usize, f64), meet: bool, seed: u64) {
+    let (mut random, epsilon) = (Sampler::new(seed), T::EPS.wide());
+    let mut families = 0;
+    for _ in 0..POSES {
+        let aimed = aimed(arm, at, meet, &mut random);
+        let q = Joints::<T, N>::from_fn(|i, _| T::rounded(aimed[i]));
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        assert!(!solutions.is_empty(), "{} {aimed:?}\n{solutions}", A::NAME);
+        for solution in solutions.iter() {
+            let missed = missed(arm, &solution.q, &pose) / epsilon;
+            assert!(missed <= 16.0, "{} {aimed:?} missed by {missed} ε\n{solutions}", A::NAME);
+        }
+        // What the last digits of the pose do not tell is not asked for.
+        let allowed = 1e3 * epsilon / dexterity(arm, &q).margin.wide();
+        if allowed > 0.1 && solutions.iter().all(|s| s.is_isolated()) {
+            continue;
+        }
+        let nearest = |solutions: &Solutions<T, N, A::Branch>| {
+            solutions.iter().map(|s| apart(arm, &s.q, &q)).fold(f64::INFINITY, f64::min)
+        };
+        let mut near = nearest(&solutions);
+        if solutions.iter().any(|s| !s.is_isolated()) {
+            families += 1;
+            near = near.min(nearest(&arm.ik_holding(&pose, &q)));
+        }
+        assert!(near <= allowed, "{} lost {aimed:?} by {near:e} of {allowed:e}\n{solutions}", A::NAME);
+    }
+    println!("{}: {families} of {POSES} in families", A::NAME);
+}
+
+fn both<const N: usize, A: InverseKinematics<N>>(arm: &A, at: (usize, f64), meet: bool, seed: u64) {
+    poses::<f64, N, A>(arm, at, meet, seed);
+    poses::<f32, N, A>(arm, at, meet, seed + 1);
+}
+
+#[test]
+fn arms_folded_onto_their_axes_come_back() {
+    both(&robots::LabRrr, (2, PI), true, 1);
+    both(&ScaraFolding, (1, PI), true, 3);
+    both(&Waist, (2, PI), true, 5);
+    both(&Roll, (2, PI), true, 7);
+}
+
+/// The figure of joint 1 touches where that of joint 3 folds: its round-off is the root of that, and leaves nothing of joint 2.
+#[test]
+fn arms_folded_onto_axis_2_beside_axis_1_come_back() {
+    both(&Beside, (2, PI), true, 9);
+    both(&SlidingRrprr, (2, 0.0), false, 11);
+}
