@@ -131,10 +131,13 @@
 //! [`batch`] slices of configurations and poses · [`singularity`] · [`dual`] rates of change · [`dynamic`] arms behind
 //! references · [`math`] numbers.
 //!
-//! The feature `std`, a default, lets inverses and batches find the widest instructions of the machine, and roots stand side by
-//! side; it does nothing but on x86-64 with an operating system. `rayon` lets batches have all threads of the machine. The feature
+//! The feature `std`, a default, lets roots stand side by side, and on x86-64 inverses and batches find the widest instructions of
+//! the machine; where there is no operating system it does nothing. `rayon` lets batches have all threads of the machine. The feature
 //! `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
+
+#[cfg(all(feature = "std", any(unix, windows)))]
+extern crate std; // for square roots, which `core` does not have
 
 pub mod arm;
 pub mod batch;

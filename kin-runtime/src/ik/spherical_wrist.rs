@@ -39,6 +39,7 @@ pub fn solve_each<T: Float, A: SolveWrist<6>>(
 ) {
     // Where loops do not become vectors nothing is won.
     if math::ROOT_IS_VISIBLE
+        && poses.len() >= ABREAST
         && let (Base::Elbow(base), Some(offsets)) = (arm.base::<T>(), arm.orthogonal_wrist::<T>())
         && is_usual(arm, &base, &offsets)
     {
