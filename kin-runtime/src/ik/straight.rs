@@ -66,7 +66,11 @@ impl<T: Float> Doubt<T> {
 
     /// Whether no other bend together with this one is smaller.
     pub(super) fn is_likeliest(&self, all: &[Option<Self>; 4]) -> bool {
-        let near = |a: T, b: T| math::abs(math::wrap(a - b)) <= T::lit(TOGETHER);
+        // Both are in (-π, π]: near one another directly or the other way round.
+        let near = |a: T, b: T| {
+            let gap = math::abs(a - b);
+            gap <= T::lit(TOGETHER) || gap >= T::TURN.0 - T::lit(TOGETHER)
+        };
         let together = |other: &Self| {
             let ([a, b, c], [x, y, z]) = (self.placed.rows, other.placed.rows);
             near(a, x) && near(b, y) && near(c, z)
