@@ -136,9 +136,6 @@
 //! `serde` makes poses, joint vectors, solutions, reasons, postures, limits and trajectories storable.
 #![no_std]
 
-#[cfg(all(feature = "std", any(unix, windows)))]
-extern crate std; // for square roots, which `core` does not have
-
 pub mod arm;
 pub mod batch;
 mod choice;

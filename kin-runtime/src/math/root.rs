@@ -11,14 +11,14 @@ pub(super) use libm::{sqrt as double, sqrtf as single};
 #[cfg(all(feature = "std", any(unix, windows)))]
 #[inline(always)]
 pub(super) fn double(x: f64) -> f64 {
-    x.sqrt()
+    pulp::Simd::sqrt_f64s(pulp::Scalar::new(), x)
 }
 
 /// The square root of a single.
 #[cfg(all(feature = "std", any(unix, windows)))]
 #[inline(always)]
 pub(super) fn single(x: f32) -> f32 {
-    x.sqrt()
+    pulp::Simd::sqrt_f32s(pulp::Scalar::new(), x)
 }
 
 /// Whether compilers see a root, so that a loop with one can become a loop over vectors.

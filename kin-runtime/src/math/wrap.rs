@@ -17,6 +17,9 @@ pub fn wrap<T: Float>(angle: T) -> T {
     if angle > -half && angle <= half {
         return angle;
     }
+    if abs(angle) <= T::TURN.0 {
+        return within_a_turn(angle);
+    }
     let turns = Float::floor((angle + half) / T::TURN.0);
     if abs(turns) >= T::lit(1e6) || is_nan(turns) {
         let (s, c) = Real::sin_cos(angle);
@@ -57,7 +60,7 @@ fn in_range<T: Float, const L: usize>(angles: &[T; L]) -> bool {
     all
 }
 
-/// The same angle in (-π, π], if it is within a turn and a half: as [`into_range`], without a branch.
+/// The same angle in (-π, π], if it is within a turn: as [`into_range`], without a branch.
 #[inline(always)]
 fn within_a_turn<T: Float>(angle: T) -> T {
     if angle > half_turn::<T>() { wrap_down(angle) } else { wrap_up(angle) }
@@ -135,7 +138,10 @@ mod tests {
         let near = [0.0, 1e-300, 1e-20, 4.5e-16, 1e-9, 0.3, 1.0];
         let ends = [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].map(|turns| turns * half);
         for angle in ends.iter().flat_map(|end| near.iter().flat_map(move |by| [end - by, end + by])) {
-            let same = |found: f64| found.to_bits() == wrap(angle).to_bits();
+            let turns = libm::floor((angle + half) / f64::TURN.0);
+            let expected = into_range((angle - turns * f64::TURN.0) - turns * f64::TURN.1);
+            let same = |found: f64| found.to_bits() == expected.to_bits();
+            assert!(same(wrap(angle)), "{angle}");
             assert!(angle.abs() > half || same(without_minus_half(angle)), "{angle}");
             assert!(angle > half || angle < -2.5 * half || same(wrap_up(angle)), "{angle}");
             assert!(angle <= -half || angle > 2.5 * half || same(wrap_down(angle)), "{angle}");

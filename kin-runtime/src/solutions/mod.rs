@@ -268,12 +268,12 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     pub(crate) fn merge(&mut self, reach: T) {
         let tolerance = tolerance::<T>() * self.unit(reach);
         for (count, branch) in B::ALL.iter().enumerate() {
-            let Slot::Solved(later) = self.get(*branch) else { continue };
-            let first = B::ALL.iter().take(count).find(|earlier| {
-                let earlier = self.get(**earlier).solution();
-                earlier.is_some_and(|first| self.same(&first.q, &later.q, tolerance))
-            });
-            if let Some(with) = first {
+            let (before, rest) = self.slots().split_at(count.min(self.slots().len()));
+            let Some(later) = rest.first().and_then(Slot::solution) else { continue };
+            let is_same = |earlier: &Slot<T, N, B>| {
+                earlier.solution().is_some_and(|first| self.same(&first.q, &later.q, tolerance))
+            };
+            if let Some(with) = before.iter().position(is_same).and_then(|place| B::ALL.get(place)) {
                 self.put(*branch, Slot::Merged { with: *with });
             }
         }
