@@ -1,6 +1,6 @@
 //! Inverse kinematics: one page for each family, and what they share.
 //!
-//! * [`base`]: the first three joints put the wrist centre (or the tool point) in its place, by named figures.
+//! * [`base`]: the first three joints put the wrist centre (or the tool point) in its place, by named figures (`planar`).
 //! * [`general`]: any other three joints, by where two conics meet: [`conic`], `sheaf` where neither is flat, and
 //!   [`quartic`] for its roots; `refine` closes what round-off has left open.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
@@ -38,6 +38,7 @@ mod freed;
 pub mod general;
 mod lines;
 pub mod pair;
+mod planar;
 pub mod position;
 pub mod quartic;
 mod refine;
