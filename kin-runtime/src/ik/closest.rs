@@ -114,7 +114,7 @@ fn followed<T: Float, A: SolveWrist<6>>(arm: &A, wanted: &nalgebra::Matrix3<T>) 
     let any = |wrist| match wrist {
         Wrist::Two { noflip, .. } => Ok(noflip),
         Wrist::Family(family) => Ok(family.even()),
-        Wrist::OutOfReach { by } => Err(by),
+        Wrist::OutOfReach { by, .. } => Err(by),
     };
     let missing = match any(arm.wrist_angles(wanted)) {
         Ok(angles) => return Ok(angles),

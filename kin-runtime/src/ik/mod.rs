@@ -5,6 +5,7 @@
 //!   [`quartic`] for its roots; `refine` closes what round-off has left open.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
+//! * `rim`: an oblique wrist that the same round-off has put beyond its cone.
 //! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, in steps
 //!   that know no branch: `elbow`, then `bends`, in loops over the shoulders and the placements of one pose (`side`), or over the
 //!   poses of a batch (`abreast`); `wrists` is the loops that both have.
@@ -42,6 +43,7 @@ mod planar;
 pub mod position;
 pub mod quartic;
 mod refine;
+mod rim;
 pub(crate) mod settle;
 mod sheaf;
 pub mod short;
@@ -84,6 +86,10 @@ pub const DOUBTFUL: f64 = 64.0;
 
 /// The largest residual of a solution that is given out, in units of ε.
 pub const ACCEPTED: f64 = 64.0;
+
+/// What joint values may miss, in units of ε, that small steps have led to a pose: what misses by more may be a compromise on a pose
+/// that the arm does not reach in this way.
+pub(crate) const SETTLED: f64 = 16.0;
 
 /// A joint vector to give out: angles in (-π, π], lengths as they are.
 pub(crate) fn given_out<T: Float, const N: usize>(mut q: [T; N], joints: &[Joint; N]) -> Joints<T, N> {

@@ -13,7 +13,7 @@ use crate::ik::freed::nothing;
 use crate::ik::general::SLACK;
 use crate::ik::settle::{improved, settle};
 use crate::ik::target::{Target, distance};
-use crate::ik::{ACCEPTED, Carrier, finite, given_out, sliding};
+use crate::ik::{ACCEPTED, Carrier, SETTLED, finite, given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Carried, SolveShort};
@@ -25,10 +25,6 @@ use crate::solutions::{
 /// rotation or of a position over the reach. Beside an axis the direction to the point is its own round-off over its distance: just
 /// outside the window in which that joint counts as free an eighth of a radian.
 const ASTRAY: f64 = 0.25;
-
-/// What a solution may miss, in units of ε. A pose asks more of such an arm than it can do: what misses by more may be a compromise
-/// on a pose that the arm does not reach in this way.
-const REACHED: f64 = 16.0;
 
 /// The joints that turn the tool about the carried point, and how their angles are read from a rotation m.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -141,7 +137,7 @@ struct Attempt<T, const N: usize> {
 
 impl<T: Float, const N: usize> Attempt<T, N> {
     fn reaches(&self) -> bool {
-        self.missed <= T::lit(REACHED) * T::EPS
+        self.missed <= T::lit(SETTLED) * T::EPS
     }
 }
 
@@ -238,7 +234,7 @@ impl<T: Float, A> Task<'_, T, A> {
         }
         let (q, missed) = found;
         let near = T::lit(SLACK) * math::sqrt(T::EPS);
-        if missed > T::lit(REACHED) * T::EPS && missed <= near {
+        if missed > T::lit(SETTLED) * T::EPS && missed <= near {
             // Steps that all come nearer end where two directions are lost together; those that need not do so end on the pose.
             if let Some((q, settled)) = settle(self.arm, &self.target.pose, &q)
                 && settled < missed

@@ -6,6 +6,7 @@
 
 use crate::arm::{Arm, Joint, JointKind};
 use crate::ik::base::{Placed, Placements};
+use crate::ik::rim;
 use crate::ik::straight::{self, Doubt};
 use crate::ik::target::{Target, accepted};
 use crate::ik::wrist::{Wrist, WristFamily};
@@ -36,6 +37,8 @@ pub(crate) trait View {
     fn angles<T: Float>(&self, rotation: &Matrix3<T>) -> Wrist<T>;
     /// The commanded values of row values.
     fn command<T: Real>(&self, rows: [T; 6]) -> [T; 6];
+    /// The row values of commanded values.
+    fn rows<T: Real>(&self, q: [T; 6]) -> [T; 6];
 
     /// All row values, from those of the base and of the sphere.
     fn joined<T>(base: [T; 3], sphere: [T; 3]) -> [T; 6];
@@ -103,6 +106,7 @@ pub(crate) fn solve_placed<T: Float, V: View>(
             None => bent = Some(doubt),
         }
     }
+    rim::reached(&task, placements, &mut plans);
     let mut solutions = Solutions::none(sliding(&V::Arm::JOINTS), Reason::NotFinite);
     for (bend, flip) in [(Bend::NoFlip, false), (Bend::Flip, true)] {
         let plans = plans.each_ref().map(|[noflip, with]| if flip { with } else { noflip });
@@ -118,7 +122,7 @@ pub(crate) fn solve_placed<T: Float, V: View>(
                     Err(reason) => Slot::Empty(reason),
                 },
                 Plan::Again(with) => Slot::Merged { with: *with },
-                Plan::Empty(reason) => Slot::Empty(*reason),
+                Plan::Empty(reason) | Plan::Rim(_, _, reason) => Slot::Empty(*reason),
             };
             solutions.put(branch, slot);
         }
@@ -130,19 +134,22 @@ pub(crate) fn solve_placed<T: Float, V: View>(
 
 /// What is to become of one slot.
 #[derive(Clone, Copy)]
-enum Plan<T: Float, B> {
+pub(super) enum Plan<T: Float, B> {
     /// Row values that forward kinematics may confirm, and what is known of them.
     Try([T; 6], Margins<T>, Free<6>),
     /// What becomes of another slot: the two branches differ by their names only.
     Again(B),
     /// It stays empty.
     Empty(Reason<T>),
+    /// It stays empty unless the bend that is missing is round-off of the base: the row values, the sphere's at the rim of its
+    /// cone.
+    Rim([T; 6], T, Reason<T>),
 }
 
 /// What is asked of an arm: the pose, and row values for coordinates that it leaves free.
-struct Task<'a, T: Float, V> {
-    view: &'a V,
-    target: Target<T>,
+pub(super) struct Task<'a, T: Float, V> {
+    pub(super) view: &'a V,
+    pub(super) target: Target<T>,
     /// For the base's first two joints.
     held: [Option<T>; 2],
     /// For the sphere's first.
@@ -167,10 +174,10 @@ impl<T: Float, V: View> Task<'_, T, V> {
                 [noflip, flip].map(|sphere| Plan::Try(V::joined(rows, sphere), margins, free))
             }
             Wrist::Family(family) => self.family(posture, placed, family),
-            Wrist::OutOfReach { by } => {
+            Wrist::OutOfReach { by, rim } => {
                 let [t1, ..] = rows;
                 let reason = Reason::OutOfReach { by, towards: Boundary::WristCone, theta1: Some(t1) };
-                [Plan::Empty(V::reason(reason)); 2]
+                [Plan::Rim(V::joined(rows, rim), by, V::reason(reason)); 2]
             }
         }
     }
@@ -190,7 +197,7 @@ impl<T: Float, V: View> Task<'_, T, V> {
     }
 
     /// What a placement leaves free, and the sphere, of which one way is known.
-    fn free(&self, placed: &Placed<T>, sphere: [T; 3], line: Option<Loose<6>>) -> Free<6> {
+    pub(super) fn free(&self, placed: &Placed<T>, sphere: [T; 3], line: Option<Loose<6>>) -> Free<6> {
         let first = placed.shoulder_free.then(|| self.moving(placed.rows, sphere, 0));
         let second = placed.elbow_free.then(|| self.moving(placed.rows, sphere, 1));
         V::free(first, second, line)
@@ -200,28 +207,31 @@ impl<T: Float, V: View> Task<'_, T, V> {
         self.view.angles(&self.view.rotation(rows, &self.target.pose))
     }
 
-    /// What the wrist makes of a placement. An oblique wrist may not reach where a free joint stands by convention;
-    /// then fifteen other values of that joint are tried.
-    fn reached(&self, placed: &Placed<T>) -> ([T; 3], Wrist<T>) {
-        let convention = self.wrist(placed.rows);
-        let [t1, t2, t3] = placed.rows;
+    /// Whether a placement leaves joints 1 and 2 of the base free, with nothing to hold on to.
+    pub(super) fn at_will(&self, placed: &Placed<T>) -> [bool; 2] {
         let [held1, held2] = self.held;
-        let free = (placed.shoulder_free && held1.is_none()) || (placed.elbow_free && held2.is_none());
-        if free && matches!(convention, Wrist::OutOfReach { .. }) {
-            for turn in 1..16 {
-                let step = math::half_turn::<T>() * T::lit(0.125 * f64::from(turn));
-                let turned = if placed.shoulder_free && held1.is_none() {
-                    [math::wrap(t1 + step), t2, t3]
-                } else {
-                    [t1, math::wrap(t2 + step), t3]
-                };
-                let wrist = self.wrist(turned);
-                if !matches!(wrist, Wrist::OutOfReach { .. }) {
-                    return (turned, wrist);
-                }
+        [placed.shoulder_free && held1.is_none(), placed.elbow_free && held2.is_none()]
+    }
+
+    /// What the wrist makes of a placement. An oblique wrist may not reach where a free joint stands by convention;
+    /// then fifteen other values of that joint are tried, for one that reaches or else for the one that misses least.
+    fn reached(&self, placed: &Placed<T>) -> ([T; 3], Wrist<T>) {
+        let ([t1, t2, t3], [first, second]) = (placed.rows, self.at_will(placed));
+        let (mut rows, mut wrist) = (placed.rows, self.wrist(placed.rows));
+        if !(first || second) {
+            return (rows, wrist);
+        }
+        for turn in 1..16 {
+            let Wrist::OutOfReach { by: least, .. } = wrist else { break };
+            let step = math::half_turn::<T>() * T::lit(0.125 * f64::from(turn));
+            let turned =
+                if first { [math::wrap(t1 + step), t2, t3] } else { [t1, math::wrap(t2 + step), t3] };
+            let there = self.wrist(turned);
+            if !matches!(there, Wrist::OutOfReach { by, .. } if by >= least) {
+                (rows, wrist) = (turned, there);
             }
         }
-        (placed.rows, convention)
+        (rows, wrist)
     }
 
     /// The joint values that command the planned row values, joint by joint, and how far forward kinematics of them misses

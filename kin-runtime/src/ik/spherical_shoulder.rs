@@ -64,6 +64,10 @@ impl<A: SolveShoulder<6>> View for FromTool<'_, A> {
         self.0.command(rows)
     }
 
+    fn rows<T: Real>(&self, q: [T; 6]) -> [T; 6] {
+        self.0.rows(q)
+    }
+
     fn joined<T>([t6, t5, t4]: [T; 3], [t1, t2, t3]: [T; 3]) -> [T; 6] {
         [t1, t2, t3, t4, t5, t6]
     }

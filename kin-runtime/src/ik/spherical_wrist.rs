@@ -164,6 +164,10 @@ impl<A: SolveWrist<6>> View for FromBase<'_, A> {
         self.0.command(rows)
     }
 
+    fn rows<T: Real>(&self, q: [T; 6]) -> [T; 6] {
+        self.0.rows(q)
+    }
+
     fn joined<T>([t1, t2, t3]: [T; 3], [t4, t5, t6]: [T; 3]) -> [T; 6] {
         [t1, t2, t3, t4, t5, t6]
     }

@@ -50,12 +50,9 @@ pub(super) struct Doubt<T> {
 }
 
 impl<T: Float> Doubt<T> {
-    /// Whether a bend may be round-off, of its own or of the base.
+    /// Nothing, if the bend is more than round-off may be.
     pub(super) fn of(bend: T, family: WristFamily<T>, placed: &Placed<T>, base: &Base<T>) -> Option<Self> {
-        let (times, touching) = base.magnified(placed);
-        let magnified = bend <= T::lit(MAGNIFIED) * T::EPS * times;
-        let doubtful = bend <= T::lit(DOUBTFUL) * T::EPS
-            || magnified && (!touching || bend <= T::lit(TOUCHING) * math::sqrt(T::EPS));
+        let doubtful = may_be_round_off(bend, placed, base);
         doubtful.then_some(Doubt { placed: *placed, family, bend })
     }
 
@@ -66,17 +63,27 @@ impl<T: Float> Doubt<T> {
 
     /// Whether no other bend together with this one is smaller.
     pub(super) fn is_likeliest(&self, all: &[Option<Self>; 4]) -> bool {
-        // Both are in (-π, π]: near one another directly or the other way round.
-        let near = |a: T, b: T| {
-            let gap = math::abs(a - b);
-            gap <= T::lit(TOGETHER) || gap >= T::TURN.0 - T::lit(TOGETHER)
-        };
-        let together = |other: &Self| {
-            let ([a, b, c], [x, y, z]) = (self.placed.rows, other.placed.rows);
-            near(a, x) && near(b, y) && near(c, z)
-        };
-        !all.iter().flatten().any(|other| other.bend < self.bend && together(other))
+        let nearer = |other: &Self| other.bend < self.bend && together(self.placed.rows, other.placed.rows);
+        !all.iter().flatten().any(nearer)
     }
+}
+
+/// Whether an angle that the sphere is bent by, or misses, may be round-off, of its own or of the base.
+pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Base<T>) -> bool {
+    let (times, touching) = base.magnified(placed);
+    let magnified = angle <= T::lit(MAGNIFIED) * T::EPS * times;
+    angle <= T::lit(DOUBTFUL) * T::EPS
+        || magnified && (!touching || angle <= T::lit(TOUCHING) * math::sqrt(T::EPS))
+}
+
+/// Whether row values of the base are mostly one placement.
+pub(super) fn together<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> bool {
+    // Both are in (-π, π]: near one another directly or the other way round.
+    let near = |a: T, b: T| {
+        let gap = math::abs(a - b);
+        gap <= T::lit(TOGETHER) || gap >= T::TURN.0 - T::lit(TOGETHER)
+    };
+    near(a, x) && near(b, y) && near(c, z)
 }
 
 /// Row values of the base at which the outer axes of the sphere coincide, and the family there, if its members reach the

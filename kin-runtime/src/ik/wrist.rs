@@ -26,6 +26,8 @@ pub enum Wrist<T> {
     OutOfReach {
         /// The angle that is missing.
         by: T,
+        /// The way that comes nearest: the three axes in one plane, that of joint 6 on the rim of its cone.
+        rim: [T; 3],
     },
 }
 
@@ -180,9 +182,11 @@ pub fn oblique<T: Float>(m: [[T; 3]; 3], k4: [[T; 3]; 3], k5: [[T; 3]; 3], rows:
     let angle_46 = math::atan2(sin_46, m33);
     // With this bend axes 4 and 6 are at their smallest angle, on the same side of axis 5.
     let closest = math::atan2(u2 * v1 - u1 * v2, u1 * v1 + u2 * v2);
-    let swing = match cone_meets_cone(angle_45, angle_56, angle_46, T::lit(FAMILY) * T::EPS) {
+    let rim = |by, swing| Wrist::OutOfReach { by, rim: rows.values(bent(&m, &k4, &k5, closest + swing)) };
+    let swing = match cone_meets_cone(angle_45, angle_56, angle_46, T::lit(ROUND_OFF) * T::EPS) {
         Corner::Angle(corner) => corner,
-        Corner::TooFar(by) | Corner::TooNear(by) => return Wrist::OutOfReach { by },
+        Corner::TooFar(by) => return rim(by, math::half_turn()),
+        Corner::TooNear(by) => return rim(by, T::lit(0.0)),
     };
     let noflip = bent(&m, &k4, &k5, closest + swing);
     let family = (sin_46 <= T::lit(BENT)).then(|| {

@@ -1,0 +1,78 @@
+//! An oblique wrist at the rim of its cone that the rounding of the base has put beyond it.
+//!
+//! A wrist whose axes are not at right angles reaches the directions between two cones about axis 4. At a rim its three axes lie
+//! in one plane, and joints 1 to 3 may miss theirs by more than the window of that figure: near a stretched elbow, or where the
+//! shoulders meet, their round-off is magnified, up to √ε where branches touch. The direction is then out of reach by as much,
+//! though the pose is not. From the nearest way, on the rim, the joints [settle](crate::ik::settle) on the pose, if they can. The
+//! same where a joint of the base is free, and only values between those that were tried lead to the rim. (Of an arm whose first
+//! three axes meet, all this seen from its tool.)
+
+use crate::arm::Arm;
+use crate::ik::base::{Placed, Placements};
+use crate::ik::given_out;
+use crate::ik::settle::settle;
+use crate::ik::sphere::{Plan, Task, View};
+use crate::ik::straight::{may_be_round_off, together};
+use crate::ik::{DOUBTFUL, SETTLED};
+use crate::math::{self, Float};
+use crate::pose;
+use crate::solutions::{ArmPosture, Bend, Branch};
+
+/// How far joints may settle from where they are, in units of the square root of what is missing: the wrist is bent by as much
+/// if the direction is inside by that.
+const NEAR: f64 = 64.0;
+
+/// The most that the best of the values tried for a free joint may be beyond the rim, if one between them is not.
+const BETWEEN: f64 = 0.25;
+
+/// Tries each plan whose wrist is beyond its rim by no more than round-off of the base; of several that stand together, only the
+/// one that misses least.
+pub(super) fn reached<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    placements: &Placements<T>,
+    plans: &mut [[Plan<T, V::Branch>; 2]; 4],
+) {
+    let before = *plans;
+    for (count, (posture, both)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
+        let ([Plan::Rim(start, by, _), _], Ok(placed)) = (*both, posture.of(placements)) else { continue };
+        let (here, _) = V::apart(start);
+        let nearer = |(place, [other, _]): (usize, &[Plan<T, V::Branch>; 2])| match other {
+            Plan::Rim(rows, least, _) => {
+                let (there, _) = V::apart(*rows);
+                (*least < by || (*least == by && place < count)) && together(here, there)
+            }
+            Plan::Try(..) | Plan::Again(_) | Plan::Empty(_) => false,
+        };
+        let doubtful = if task.at_will(placed) == [false; 2] {
+            may_be_round_off(by, placed, &task.view.base())
+        } else {
+            by <= T::lit(BETWEEN)
+        };
+        if doubtful && !before.iter().enumerate().any(nearer) {
+            *both = settled(task, *posture, placed, (start, by)).unwrap_or(*both);
+        }
+    }
+}
+
+/// The two slots of a wrist at its rim, which are one.
+fn settled<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    posture: ArmPosture,
+    placed: &Placed<T>,
+    (start, by): ([T; 6], T),
+) -> Option<[Plan<T, V::Branch>; 2]> {
+    let (_, [_, straight, _]) = V::apart(start);
+    let start = pose::entries(&given_out(task.view.command(start), &V::Arm::JOINTS));
+    let (q, residual) = settle(task.view.arm(), &task.target.pose, &pose::column(start))?;
+    let near = T::lit(NEAR) * math::sqrt(by + T::lit(DOUBTFUL) * T::EPS);
+    let is_far = |(a, b): (T, T)| math::abs(a - b) > near;
+    if residual > T::lit(SETTLED) * T::EPS || pose::entries(&q).into_iter().zip(start).any(is_far) {
+        return None;
+    }
+    let rows = task.view.rows(pose::entries(&q));
+    let (base, sphere @ [_, bend, _]) = V::apart(rows);
+    let placed = Placed { rows: base, ..*placed };
+    let margins = V::margins(placed.shoulder, placed.elbow, math::abs(math::wrap(bend - straight)));
+    let same = Plan::Again(V::branch(posture, Bend::NoFlip));
+    Some([Plan::Try(rows, margins, task.free(&placed, sphere, None)), same])
+}

@@ -1,0 +1,129 @@
+//! Oblique wrists and shoulders at the rim of their cone, under bases that magnify round-off or leave a joint free: a pose that is
+//! reached is never empty.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use kin_runtime::dexterity;
+use kin_runtime::prelude::*;
+use tests::interpreted::Interpreted;
+use tests::mirrored::Mirrored;
+use tests::reliability::subject::Bits;
+use tests::sample::Sampler;
+
+const ARMS: usize = 12;
+const POSES: usize = if cfg!(debug_assertions) { 100 } else { 2000 };
+
+fn compiled(rows: &str) -> kin_gen::model::Arm {
+    let text = format!("struct Any(standard, m, deg);\n| theta | d | a | alpha |\n{rows}");
+    kin_gen::compile_text(&text).unwrap_or_else(|messages| panic!("{text}\n{messages}"))
+}
+
+fn twist(random: &mut Sampler) -> f64 {
+    let angle = if random.below(2) == 0 { random.between(35.0, 80.0) } else { random.between(100.0, 145.0) };
+    if random.below(2) == 0 { angle } else { -angle }
+}
+
+/// The links of an elbow, one time in three equally long, and what is beside them, one time in three nothing.
+fn lengths(random: &mut Sampler) -> [f64; 4] {
+    let [upper, fore, beside, last] = [(); 4].map(|()| random.between(0.1, 0.8));
+    [
+        upper,
+        if random.below(3) == 0 { upper } else { fore },
+        if random.below(3) == 0 { 0.0 } else { beside },
+        last,
+    ]
+}
+
+/// Three axes at random angles to each other behind an elbow. Stretched and folded where joint 3 is at a right angle.
+fn with_wrist(random: &mut Sampler) -> Interpreted<0> {
+    let ([t4, t5], [upper, fore, beside, last]) = ([(); 2].map(|()| twist(random)), lengths(random));
+    let rows = format!(
+        "| q | 0.3 | {beside:.3} | -90 |
+| q | 0 | {upper:.3} | 0 |
+| q | 0 | 0 | 90 |
+| q | {fore:.3} | 0 | {t4:.1} |
+| q | 0 | 0 | {t5:.1} |
+| q | {last:.3} | 0 | 0 |
+"
+    );
+    Interpreted::new(compiled(&rows)).unwrap_or_else(|| panic!("not recognised:\n{rows}"))
+}
+
+/// The same from the other end: stretched and folded where joint 4 is at a right angle.
+fn with_shoulder(random: &mut Sampler) -> Mirrored<0> {
+    let ([t1, t2], [upper, fore, beside, last]) = ([(); 2].map(|()| twist(random)), lengths(random));
+    let rows = format!(
+        "| q | 0.3 | 0 | {t1:.1} |
+| q | 0 | 0 | {t2:.1} |
+| q | {upper:.3} | 0 | 90 |
+| q | 0 | {fore:.3} | 0 |
+| q | 0 | {beside:.3} | 90 |
+| q | 0.1 | {last:.3} | 30 |
+"
+    );
+    Mirrored::new(compiled(&rows)).unwrap_or_else(|| panic!("not recognised:\n{rows}"))
+}
+
+/// Joint values at or near the rim, where the bend is nothing or half a turn, the elbow at or near where it is stretched or folded.
+fn at_the_rim([bend, elbow]: [usize; 2], random: &mut Sampler) -> [f64; 6] {
+    let mut q = random.angles::<6>();
+    let off = |random: &mut Sampler| {
+        let power = random.below(18) as i32;
+        if power == 0 { 0.0 } else { 10_f64.powi(-power) * [1.0, -1.0][random.below(2)] }
+    };
+    q[bend] = PI * random.below(2) as f64 + off(random);
+    if random.below(4) > 0 {
+        q[elbow] = [FRAC_PI_2, -FRAC_PI_2][random.below(2)] + off(random);
+    }
+    q
+}
+
+/// Poses come back: none empty, none twice, each solution on the pose, and the joints that made it among them.
+fn poses<T: Bits, A: InverseKinematics<6>>(arm: &A, at: [usize; 2], random: &mut Sampler) {
+    let epsilon = T::EPS.wide();
+    let apart = |a: &Joints<T, 6>, b: &Joints<T, 6>| {
+        let way = |i: usize| ((a[i].wide() - b[i].wide() + PI).rem_euclid(TAU) - PI).abs();
+        (0..6).map(way).fold(0.0, f64::max)
+    };
+    for _ in 0..POSES {
+        let aimed = at_the_rim(at, random);
+        let q = Joints::<T, 6>::from_fn(|i, _| T::rounded(aimed[i]));
+        let pose = arm.fk(&q);
+        let solutions = arm.ik(&pose);
+        let all: Vec<_> = solutions.iter().collect();
+        assert!(!all.is_empty(), "{aimed:?}\n{solutions}");
+        for (count, solution) in all.iter().enumerate() {
+            let residual = solution.residual.wide() / epsilon;
+            assert!(residual <= 16.0, "{residual} ε at {aimed:?}\n{solutions}");
+            let again =
+                all[..count].iter().find(|other| apart(&other.q, &solution.q) <= 6.7 * epsilon.sqrt());
+            assert!(again.is_none(), "twice at {aimed:?}\n{solutions}");
+        }
+        // What the last digits of the pose do not tell is not asked for.
+        let allowed = 1e3 * epsilon / dexterity(arm, &q).margin.wide();
+        if allowed <= 0.1 && all.iter().all(|solution| solution.is_isolated()) {
+            let near = all.iter().map(|solution| apart(&solution.q, &q)).fold(f64::INFINITY, f64::min);
+            assert!(near <= allowed, "lost by {near:e} of {allowed:e}: {aimed:?}\n{solutions}");
+        }
+    }
+}
+
+#[test]
+fn oblique_wrists_come_back_at_the_rim_of_their_cone() {
+    let mut random = Sampler::new(51);
+    for _ in 0..ARMS {
+        let arm = with_wrist(&mut random);
+        poses::<f64, _>(&arm, [4, 2], &mut random);
+        poses::<f32, _>(&arm, [4, 2], &mut random);
+    }
+}
+
+#[test]
+fn oblique_shoulders_come_back_at_the_rim_of_their_cone() {
+    let mut random = Sampler::new(52);
+    for _ in 0..ARMS {
+        let arm = with_shoulder(&mut random);
+        poses::<f64, _>(&arm, [1, 3], &mut random);
+        poses::<f32, _>(&arm, [1, 3], &mut random);
+    }
+}
