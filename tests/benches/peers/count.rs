@@ -16,7 +16,7 @@ const FLOORS: [Target; 6] = [
     target("fk", "this library", "rs-opw-kinematics", 2.9),
     target("fk and jacobian", "this library", "k", 15.0),
     target("fk and jacobian", "this library", "rs-opw-kinematics", 20.7),
-    target("ik", "this library", "rs-opw-kinematics", 4.6),
+    target("ik", "this library", "rs-opw-kinematics", 11.0),
     target("fk, batch", "this library, AVX2", "nalgebra, isometries", 6.1),
 ];
 

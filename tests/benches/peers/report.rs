@@ -53,7 +53,8 @@ fn page(run: &Run<'_>) -> String {
          and their ratios are what CI holds (`-- --gate`).\n\n\
          nalgebra is built with libm, whose sines are faster here than std's. rs-opw-kinematics checks its inverse by \
          forward kinematics, as this library does; its Jacobian is a difference quotient. \"Each waiting for the last\" \
-         is latency: every call takes an addition of what the one before gave, times nothing. Batches are of {LENGTH} \
+         is latency: every call takes an addition of what the one before gave, times nothing. A single inverse takes AVX2 where \
+         the machine has it, whatever the program is built for. Batches are of {LENGTH} \
          configurations on one core into places that stay in the cache, by the instructions that they may use at most, poses \
          and Jacobians in stretches of thousands; what slices cost that no cache holds stands below. callgrind knows no \
          AVX-512.\n\n"
