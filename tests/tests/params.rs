@@ -1,7 +1,10 @@
 //! Arms with parameters: fields of the struct, the same kinematics as if their values had been written in the table,
 //! and the same solver for every value.
 
+use std::f64::consts::PI;
+
 use kin_runtime::prelude::*;
+use nalgebra::{Rotation3, Vector3};
 use tests::sample::Sampler;
 
 dh! {
@@ -58,6 +61,43 @@ dh! {
     base: Rx(lean) Tz(1);
     tool: Ry(90) Tz(0.1);
     couple: J4 += J1, J6 -= J5;
+}
+
+dh! {
+    /// Homes of joints that stand at exactly half a turn where the arm is in a plane.
+    pub struct Zeroed(standard, m, deg);
+
+    param home1 = 0deg; param home4 = 0deg; param home6 = 0deg;
+
+    | joint | theta     | d    | a    | alpha |
+    |-------|-----------|------|------|-------|
+    | J1    | q + home1 | 0.3  | 0.1  | -90   |
+    | J2    | q         | 0    | 0.45 | 0     |
+    | J3    | q         | 0    | 0.05 | 90    |
+    | J4    | q + home4 | 0.4  | 0    | -90   |
+    | J5    | q         | 0    | 0    | 90    |
+    | J6    | q + home6 | 0.08 | 0    | 0     |
+}
+
+#[test]
+fn homes_of_next_to_nothing_leave_angles_in_their_range() {
+    let mut random = Sampler::new(14);
+    let mut half_turns = 0;
+    for home in [0.0, 1e-17, 5.5e-17, 2.2e-16, 4.4e-16, 6e-16, 1e-13] {
+        for home in [home, -home] {
+            let arm = Zeroed { home1: home, home4: home, home6: home };
+            for _ in 0..100 {
+                let [x, z] = [random.between(-0.7, 0.7), random.between(0.0, 0.9)];
+                let turned = Rotation3::from_axis_angle(&Vector3::y_axis(), random.between(-3.0, 3.0));
+                for solution in arm.ik(&Pose::from_parts(Vector3::new(x, 0.0, z).into(), turned)).iter() {
+                    let angles = || solution.q.iter();
+                    assert!(angles().all(|angle| (-PI < *angle) & (*angle <= PI)), "{home} {}", solution.q);
+                    half_turns += angles().filter(|angle| **angle == PI).count();
+                }
+            }
+        }
+    }
+    assert!(half_turns > 1000, "{half_turns} angles at the end of the range");
 }
 
 #[test]

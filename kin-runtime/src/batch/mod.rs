@@ -16,7 +16,7 @@
 //! program side by side, as structures of arrays; with the feature `std` that program is compiled for several instruction
 //! sets, and the widest that the machine has is found while it runs ([`Instructions`]). Without it the same loops are
 //! compiled for what the whole program is compiled for. Poses of arms with an elbow and an orthogonal wrist are solved side by
-//! side too where there are such sets; other inverses, and poses near a singular one, go one by one. Nothing is allocated.
+//! side too with the feature `std`; other inverses, and poses near a singular one, go one by one. Nothing is allocated.
 //!
 //! The methods of [`Batch`] run where they are called, to the end. A [`Run`] can do it on all threads (feature `rayon`), tell
 //! of progress, stop early, or keep to narrower instructions.

@@ -202,26 +202,27 @@ impl Threads {
 
     fn run(self, work: impl Work, at_most: Instructions) {
         match self {
-            Threads::Here => widths::run(
-                #[inline(always)]
-                || work.run(),
-                at_most,
-            ),
+            Threads::Here => done(work, at_most),
             #[cfg(feature = "rayon")]
             Threads::All => halved(work, at_most),
         }
     }
 }
 
+/// With the widest instructions that are here and allowed.
+fn done(work: impl Work, at_most: Instructions) {
+    widths::run(
+        #[inline(always)]
+        || work.run(),
+        at_most,
+    );
+}
+
 /// In halves, each of which any thread may take, down to chunks.
 #[cfg(feature = "rayon")]
 fn halved(work: impl Work, at_most: Instructions) {
     if work.len() <= CHUNK {
-        return widths::run(
-            #[inline(always)]
-            || work.run(),
-            at_most,
-        );
+        return done(work, at_most);
     }
     let chunks = work.len() / CHUNK;
     let (one, other) = work.split_at(chunks.div_ceil(2) * CHUNK);

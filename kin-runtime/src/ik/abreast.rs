@@ -1,7 +1,7 @@
 //! Poses abreast: the branches of a batch's poses, in loops over the poses.
 //!
-//! What they do is what [`side`](crate::ik::side) does for one pose, with the same bits: there the lanes are its shoulders and its
-//! placements, here each shoulder and each placement has the poses for its lanes.
+//! What they do is what [`side`](crate::ik::side) does for one pose, with the same bits: there the lanes are its placements, here
+//! each shoulder and each placement has the poses for its lanes.
 //!
 //! Everything is inlined into the loop over a batch that is compiled for an instruction set. Poses of which some figure is near
 //! a singular one, and what is no pose at all, are left to the solver of a single one.
@@ -12,7 +12,7 @@ use crate::ik::target::{self, unless};
 use crate::ik::wrist::Rows;
 use crate::ik::wrists::{Wrists, set, three};
 use crate::ik::{ElbowBase, ROUND_OFF};
-use crate::math::{self, Float, Lanes};
+use crate::math::{Float, Lanes};
 use crate::pose::{self, Pose};
 use crate::private::SolveWrist;
 use crate::solutions::{Posture, Reason, Solutions};
@@ -25,8 +25,6 @@ pub(super) struct Abreast<T, const L: usize> {
     /// The sizes against which the poses are judged, and one over them.
     scale: Lanes<T, L>,
     per_scale: Lanes<T, L>,
-    /// How large a figure far away from a singular one is.
-    far_away: Lanes<T, L>,
     /// The wrist centre seen from axis 1.
     x: Lanes<T, L>,
     y: Lanes<T, L>,
@@ -52,7 +50,6 @@ impl<T: Float, const L: usize> Abreast<T, L> {
             poses: pose::from_rows([[zero; 3]; 3], [zero; 3]),
             scale: zero,
             per_scale: zero,
-            far_away: zero,
             x: zero,
             y: zero,
             across: zero,
@@ -91,7 +88,7 @@ impl<T: Float, const L: usize> Abreast<T, L> {
                     v: self.v.lane(lane),
                 };
                 let window = T::lit(ROUND_OFF) * T::EPS * self.scale.lane(lane);
-                shoulders.close(lane, base, &seen, T::lit(sign), [window, self.far_away.lane(lane)]);
+                shoulders.close(lane, base, &seen, T::lit(sign), [window, far]);
             }
         }
         for (shoulders, wrists) in self.shoulders.iter_mut().zip(&mut self.wrists) {
@@ -127,18 +124,16 @@ impl<T: Float, const L: usize> Abreast<T, L> {
     fn see<A: SolveWrist<6>>(&mut self, lane: usize, arm: &A, base: &ElbowBase<T>, far: T) {
         let (pose, one) = (&pose::one(&self.poses, lane), T::lit(1.0));
         let (scale, refused) = target::judged(pose, base.reach);
-        let far_away = far * math::max(scale, one);
         let Seen { x, y, across, half, v } = Seen::new(base, arm.wrist_centre(pose));
         set! { lane:
             self.scale, scale;
             self.per_scale, one / scale;
-            self.far_away, far_away;
             self.x, x;
             self.y, y;
             self.across, across;
             self.half, half;
             self.v, v;
-            self.doubt, refused + unless(half > far_away);
+            self.doubt, refused + unless(half > far * scale);
         }
     }
 
@@ -221,17 +216,10 @@ impl<T: Float, const L: usize> Shoulders<T, L> {
         }
     }
 
-    /// The placements of one lane, on the side of this sign, for a figure that is `far_away` from a singular one if it is so
+    /// The placements of one lane, on the side of this sign, for an elbow that is `far` from stretched or folded if its angle is so
     /// large.
     #[inline(always)]
-    fn close(
-        &mut self,
-        lane: usize,
-        base: &ElbowBase<T>,
-        seen: &Seen<T>,
-        sign: T,
-        [window, far_away]: [T; 2],
-    ) {
+    fn close(&mut self, lane: usize, base: &ElbowBase<T>, seen: &Seen<T>, sign: T, [window, far]: [T; 2]) {
         let side = Side::new(base, seen, sign, window);
         let Elbows { rows: [up, down], margin } = side.elbows(base, elbow::angles(side.directions()));
         let (sine, cosine) = T::sin_cos_straight(up[0]);
@@ -247,7 +235,7 @@ impl<T: Float, const L: usize> Shoulders<T, L> {
             self.margin, margin;
             self.first[0], sine;
             self.first[1], cosine;
-            self.doubt, unless(margin > far_away);
+            self.doubt, unless(margin > far);
         }
     }
 

@@ -12,19 +12,12 @@ use crate::private::{Known, SolveWrist};
 
 /// The sines and cosines of a program's turns.
 pub(super) struct Turned<T> {
-    angles: [T; 8],
     pub(super) sines: [T; 8],
     pub(super) cosines: [T; 8],
 }
 
 impl<T: Float> Turned<T> {
-    /// Of a program whose turns nobody asks for again.
-    #[inline(always)]
-    pub(super) fn of_unknown(sines: [T; 8], cosines: [T; 8]) -> Self {
-        Turned { angles: [T::lit(0.0); 8], sines, cosines }
-    }
-
-    /// The sines and cosines of the first `count` angles, those that are `known` from there.
+    /// Of the first `count` angles, those that are `known` from there.
     #[inline(always)]
     fn new(angles: [T; 8], count: usize, known: impl Fn(usize, T) -> Option<[T; 2]>) -> Self {
         let [a, b, c, d, e, f, g, h] = angles;
@@ -32,7 +25,7 @@ impl<T: Float> Turned<T> {
         let ([sc, cc], [sd, cd]) = (taken(2, c, count, &known), taken(3, d, count, &known));
         let ([se, ce], [sf, cf]) = (taken(4, e, count, &known), taken(5, f, count, &known));
         let ([sg, cg], [sh, ch]) = (taken(6, g, count, &known), taken(7, h, count, &known));
-        Turned { sines: [sa, sb, sc, sd, se, sf, sg, sh], cosines: [ca, cb, cc, cd, ce, cf, cg, ch], angles }
+        Turned { sines: [sa, sb, sc, sd, se, sf, sg, sh], cosines: [ca, cb, cc, cd, ce, cf, cg, ch] }
     }
 
     /// Sine and cosine of one of these angles.
@@ -41,11 +34,11 @@ impl<T: Float> Turned<T> {
         Some([*self.sines.get(index)?, *self.cosines.get(index)?])
     }
 
-    /// Sine and cosine of an angle that is half a turn from one of these but for round-off. Of any other they would be so far
-    /// off that forward kinematics misses the pose.
+    /// Sine and cosine of an angle that is half a turn from one of these, whose own angle is `known`, but for round-off. Of any
+    /// other they would be so far off that forward kinematics misses the pose.
     #[inline(always)]
-    fn across(&self, index: usize, angle: T) -> Option<[T; 2]> {
-        let (known, [sine, cosine]) = (*self.angles.get(index)?, self.of(index)?);
+    fn across(&self, index: usize, known: T, angle: T) -> Option<[T; 2]> {
+        let [sine, cosine] = self.of(index)?;
         // What the difference is besides half a turn, exactly but for one rounding of next to nothing.
         let by = angle - known;
         let back = by - angle;
@@ -148,8 +141,9 @@ pub(super) fn residuals<T: Float, A: SolveWrist<6>>(
     let ([n4, n5, n6], [f4, f5, f6]) = (angles.noflip, angles.flip);
     let (noflip, flip) =
         (joint_values(arm, [t1, t2, t3, n4, n5, n6]), joint_values(arm, [t1, t2, t3, f4, f5, f6]));
+    let turns = arm.fk_turns(&noflip);
     let first = Turned::new(
-        arm.fk_turns(&noflip),
+        turns,
         A::FK_TURNS,
         #[inline(always)]
         |index, _| match A::FK_KNOWN.get(index) {
@@ -166,7 +160,7 @@ pub(super) fn residuals<T: Float, A: SolveWrist<6>>(
         #[inline(always)]
         |index, angle| match A::FK_KNOWN.get(index) {
             Some(Known::Wrist(_) | Known::Base) => first.of(index),
-            Some(Known::Outer) => first.across(index, angle),
+            Some(Known::Outer) => first.across(index, *turns.get(index)?, angle),
             Some(Known::Bend) if opposite => first.of(index).map(|[sine, cosine]| [-sine, cosine]),
             _ => None,
         },
@@ -186,18 +180,18 @@ pub(super) fn joint_values<T: Float, A: SolveWrist<6>>(arm: &A, rows: [T; 6]) ->
 }
 
 /// How far a pose misses another, `per_scale` being one over the scale: see [`Target::missed_by`](crate::ik::target::Target).
-/// A comparison lets go of what is not a number; but here all are where the wrist's matrix is one of numbers, which
-/// [`Aimed::sine`] tells.
+/// A comparison lets go of what is not a number; but here all are: the arm's constants and turns because it is usual, the pose
+/// because it has been judged, row values where [`Aimed::sine`] is one.
 #[inline(always)]
 fn missed<T: Float>(pose: &Pose<T>, per_scale: T, other: &Pose<T>) -> T {
     let (([x, y, z], p), ([u, v, w], q)) = (pose::rows(pose), pose::rows(other));
-    let (x, y, z, p) = (far(x, u), far(y, v), far(z, w), far(p, q));
+    let (x, y, z, p) = (apart(x, u), apart(y, v), apart(z, w), apart(p, q));
     math::max(math::max(math::max(x, y), z), p * per_scale)
 }
 
 /// The largest difference between two triples.
 #[inline(always)]
-fn far<T: Float>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> T {
+fn apart<T: Float>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> T {
     let [a, b, c] = [math::abs(a - d), math::abs(b - e), math::abs(c - f)];
     math::max(math::max(a, b), c)
 }

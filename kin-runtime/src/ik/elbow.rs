@@ -1,5 +1,5 @@
 //! The shoulders of an elbow base, each with its elbow up and down, where no figure touches; without a branch, so that a loop
-//! over shoulders or poses becomes one over vectors ([`side`](crate::ik::side), [`abreast`](crate::ik::abreast)).
+//! over shoulders, angles or poses becomes one over vectors ([`side`](crate::ik::side), [`abreast`](crate::ik::abreast)).
 //!
 //! The figures are those of [`base`](crate::ik::base), each angle taken at once from a vector that has its direction. With D
 //! the distance, S the sum of the links u and f, d their difference, o² = S² - D², s² = D² - d² and w = o·s:

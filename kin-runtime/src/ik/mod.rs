@@ -7,7 +7,7 @@
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
 //! * `rim`: an oblique wrist that the same round-off has put beyond its cone.
 //! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, in steps
-//!   that know no branch: `elbow`, then `bends`, in loops over the shoulders and the placements of one pose (`side`), or over the
+//!   that know no branch: `elbow`, then `bends`, in loops over the placements of one pose (`side`), or over the
 //!   poses of a batch (`abreast`); `wrists` is the loops that both have.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.

@@ -1,4 +1,4 @@
-//! The branches of one pose side by side: its shoulders as two lanes, its placements as four.
+//! The branches of one pose side by side: its four placements as lanes.
 
 use crate::arm::Joint;
 use crate::ik::elbow::{self, Seen, Side};
@@ -6,7 +6,7 @@ use crate::ik::target::Target;
 use crate::ik::wrist::Rows;
 use crate::ik::wrists::{Wrists, three};
 use crate::ik::{ElbowBase, ROUND_OFF, sliding};
-use crate::math::{self, Float, Lanes};
+use crate::math::{Float, Lanes};
 use crate::pose;
 use crate::private::SolveWrist;
 use crate::solutions::{
@@ -30,7 +30,7 @@ pub(crate) fn regular<T: Float, A: SolveWrist<6>>(
 ) -> Option<Solutions<T, 6, Posture>> {
     let (pose, scale, far) = (&target.pose, target.scale, far());
     let seen = Seen::new(base, arm.wrist_centre(pose));
-    let placed = Placed::new(base, &seen, scale)?;
+    let placed = Placements::new(base, &seen, scale)?;
     let mut wrists = Wrists::<T, 4>::new();
     let mut doubt = Lanes([T::lit(0.0); 4]);
     for lane in 0..4 {
@@ -55,7 +55,7 @@ pub(crate) fn regular<T: Float, A: SolveWrist<6>>(
 
 /// The placements of a base: right and left with the elbow up, then with the elbow down. Where a shoulder does not close stands
 /// the other one.
-struct Placed<T> {
+struct Placements<T> {
     rows: [Lanes<T, 4>; 3],
     /// Sine and cosine of the row value of joint 1.
     first: [Lanes<T, 4>; 2],
@@ -67,12 +67,12 @@ struct Placed<T> {
     turned: [T; 2],
 }
 
-impl<T: Float> Placed<T> {
+impl<T: Float> Placements<T> {
     /// Those of the wrist centre, if no figure is near a singular one.
     #[inline(always)]
     fn new(base: &ElbowBase<T>, seen: &Seen<T>, scale: T) -> Option<Self> {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
-        let (far_away, window) = (far::<T>() * math::max(scale, one), T::lit(ROUND_OFF) * T::EPS * scale);
+        let (far, window) = (far::<T>(), T::lit(ROUND_OFF) * T::EPS * scale);
         let (right, left) = (Side::new(base, seen, one, window), Side::new(base, seen, -one, window));
         let ([a, b, c, d], [e, f, g, h]) = (right.directions(), left.directions());
         // Four angles and then four more: a loop over vectors.
@@ -86,8 +86,8 @@ impl<T: Float> Placed<T> {
         let (near, away) = (right.elbows(base, [a, b, c, d]), left.elbows(base, [e, f, g, h]));
         let closes = [right.spare > zero, left.spare > zero];
         let [on_right, on_left] = closes;
-        let apart = ((near.margin > far_away) | !on_right) & ((away.margin > far_away) | !on_left);
-        if !(apart & (on_right | on_left) & (seen.half > far_away)) {
+        let apart = ((near.margin > far) | !on_right) & ((away.margin > far) | !on_left);
+        if !(apart & (on_right | on_left) & (seen.half > far * scale)) {
             return None;
         }
         let pick = |a: T, b: T| [if on_right { a } else { b }, if on_left { b } else { a }];
@@ -95,7 +95,7 @@ impl<T: Float> Placed<T> {
         let ([[t1, a2, a3], [_, b2, b3]], [[s1, c2, c3], [_, d2, d3]]) = (near.rows, away.rows);
         let [k, l] = pick(t1, s1);
         let ((sk, ck), (sl, cl)) = (T::sin_cos_straight(k), T::sin_cos_straight(l));
-        Some(Placed {
+        Some(Placements {
             rows: [Lanes([k, l, k, l]), four(pick(a2, c2), pick(b2, d2)), four(pick(a3, c3), pick(b3, d3))],
             first: [Lanes([sk, sl, sk, sl]), Lanes([ck, cl, ck, cl])],
             elbows: [near.margin, away.margin],

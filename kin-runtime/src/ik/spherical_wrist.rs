@@ -60,11 +60,16 @@ pub fn solve_each<T: Float, A: SolveWrist<6>>(
 }
 
 /// Whether the constants of an arm are of a size for which nothing needs a branch: offsets for the row values, turns for their
-/// sines, lengths so that no product of three overflows. Compilers know it of an arm without parameters.
+/// sines, lengths so that no product of three distances overflows (what a product of four makes of the longest, forward
+/// kinematics rejects). Compilers know it of an arm without parameters.
 #[inline(always)]
 fn is_usual<T: Float, A: SolveWrist<6>>(arm: &A, base: &ElbowBase<T>, wrist: &Rows<T>) -> bool {
     let (zero, none) = (T::lit(0.0), [T::lit(0.0); 6]);
-    let offset = |offset: &T| math::abs(*offset) <= math::half_turn();
+    let offset = |offset: &T| {
+        let size = math::abs(*offset);
+        // A smaller one is lost beside half a turn: a row value would come out as minus half a turn.
+        size == zero || (size >= T::lit(64.0) * T::EPS && size <= math::half_turn())
+    };
     let turn = |turn: &T| math::abs(*turn) <= T::lit(1e3);
     let longest = base.reach / T::EPS;
     A::WRIST_TURNS <= wrists::TURNS

@@ -78,10 +78,10 @@ pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Ba
 
 /// Whether row values of the base are mostly one placement.
 pub(super) fn together<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> bool {
-    // Both are in (-π, π]: near one another directly or the other way round.
+    // Angles are in (-π, π]: near one another directly or the other way round.
     let near = |a: T, b: T| {
         let gap = math::abs(a - b);
-        gap <= T::lit(TOGETHER) || gap >= T::TURN.0 - T::lit(TOGETHER)
+        gap <= T::lit(TOGETHER) || math::abs(gap - T::TURN.0) <= T::lit(TOGETHER)
     };
     near(a, x) && near(b, y) && near(c, z)
 }

@@ -91,7 +91,8 @@ pub fn row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
     math::wrap(row_length(figure, offset, reversed))
 }
 
-/// As [`row_value`], without a branch: of a figure angle in [-π, π] and an offset of at most half a turn.
+/// As [`row_value`], without a branch: of a figure angle in [-π, π] and an offset that is zero or more than round-off, and at
+/// most half a turn.
 #[inline(always)]
 pub(crate) fn straight_row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
     let row = row_length(figure, offset, reversed);

@@ -71,7 +71,7 @@ impl<T: Float, const L: usize> Wrists<T, L> {
         far: T,
     ) -> T {
         let aimed = Aimed::new(arm, pose, rows, first);
-        let Turned { sines, cosines, .. } = &aimed.turned;
+        let Turned { sines, cosines } = &aimed.turned;
         set! { lane:
             self.matrix[0][0], aimed.matrix[0][0];
             self.matrix[0][1], aimed.matrix[0][1];
@@ -106,7 +106,7 @@ impl<T: Float, const L: usize> Wrists<T, L> {
         };
         let [x, y, z] = &self.matrix;
         Aimed {
-            turned: Turned::of_unknown(eight(&self.sines), eight(&self.cosines)),
+            turned: Turned { sines: eight(&self.sines), cosines: eight(&self.cosines) },
             matrix: [three(x, lane), three(y, lane), three(z, lane)],
             sine: self.sine.lane(lane),
         }

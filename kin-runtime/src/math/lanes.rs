@@ -31,15 +31,6 @@ impl<T: Float, const L: usize> Lanes<T, L> {
         Lanes(super::wrap_all(self.0))
     }
 
-    /// What a function makes of each lane.
-    #[inline(always)]
-    pub fn map(mut self, f: impl Fn(T) -> T) -> Self {
-        for x in &mut self.0 {
-            *x = f(*x);
-        }
-        self
-    }
-
     /// One of the lanes; zero where there is none of that number.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> T {

@@ -165,7 +165,7 @@ impl Real for f32 {
     fn lit(x: f64) -> Self {
         x as f32
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         root::single(self)
     }

@@ -37,11 +37,12 @@ pub fn wrap_all<T: Float, const L: usize>(angles: [T; L]) -> [T; L] {
 /// As [`wrap_all`], where it has something to do.
 #[inline(never)]
 fn wrapped<T: Float, const L: usize>(mut angles: [T; L]) -> [T; L] {
-    let all = angles;
+    let (all, mut near) = (angles, true);
     for angle in &mut angles {
+        near &= abs(*angle) <= T::TURN.0;
         *angle = within_a_turn(*angle);
     }
-    if !in_range(&angles) {
+    if !near {
         for (angle, from) in angles.iter_mut().zip(all) {
             *angle = wrap(from);
         }
@@ -66,7 +67,7 @@ fn within_a_turn<T: Float>(angle: T) -> T {
     if angle > half_turn::<T>() { wrap_down(angle) } else { wrap_up(angle) }
 }
 
-/// An angle of at most half a turn in (-π, π], as [`wrap`], without a branch.
+/// An angle of at most half a turn in (-π, π], without a branch: minus half a turn becomes half a turn.
 #[inline(always)]
 pub(crate) fn without_minus_half<T: Float>(angle: T) -> T {
     let half = half_turn::<T>();
@@ -145,6 +146,13 @@ mod tests {
             assert!(angle.abs() > half || same(without_minus_half(angle)), "{angle}");
             assert!(angle > half || angle < -2.5 * half || same(wrap_up(angle)), "{angle}");
             assert!(angle <= -half || angle > 2.5 * half || same(wrap_down(angle)), "{angle}");
+        }
+        // Side by side each has the bits that it has alone, whatever the others are.
+        for other in [0.0, -3.5, 100.0, f64::NAN] {
+            let all = [3.0 * half, other, -3.0 * half, 1.5 * half];
+            assert!(
+                wrap_all(all).into_iter().zip(all).all(|(found, x)| found.to_bits() == wrap(x).to_bits())
+            );
         }
         assert!(wrap_up(f64::NAN).is_nan() && wrap_down(f64::NAN).is_nan());
         assert!(without_minus_half(f64::NAN).is_nan());
