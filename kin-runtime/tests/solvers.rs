@@ -8,7 +8,7 @@
 extern crate self as robots;
 extern crate self as tests;
 
-#[path = "../../tests/src/bits.rs"]
+#[path = "../../tests/src/bits/mod.rs"]
 #[allow(dead_code, reason = "written for other targets too")]
 pub mod bits;
 #[path = "../../tests/src/sample.rs"]

@@ -10,7 +10,7 @@ pub mod motion;
 pub mod tasks;
 
 #[allow(dead_code, reason = "the hash is for other programs")]
-#[path = "../../../src/bits.rs"]
+#[path = "../../../src/bits/mod.rs"]
 mod bits;
 
 /// A program of one task that links only if it cannot panic.

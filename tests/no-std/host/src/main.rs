@@ -1,9 +1,14 @@
-//! `host [quick]`: prints the hash that every target must have.
+//! `host [quick|all]`: prints the hashes that every target must have, one of them if it is named.
 
-#[path = "../../../src/bits.rs"]
+#[path = "../../../src/bits/mod.rs"]
 mod bits;
 
 fn main() {
-    let quick = std::env::args().any(|argument| argument == "quick");
-    println!("{:016x}", bits::hash(if quick { bits::QUICK } else { bits::POSES }));
+    match std::env::args().nth(1).as_deref() {
+        Some("quick") => println!("{:016x}", bits::hash(bits::QUICK)),
+        Some("all") => println!("{:016x}", bits::hash(bits::POSES)),
+        _ => {
+            println!("{:016x} {:016x}", bits::hash(bits::POSES), bits::aimed::hash_aimed(bits::aimed::AIMED))
+        }
+    }
 }

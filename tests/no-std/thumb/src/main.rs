@@ -9,7 +9,7 @@ use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 
 #[allow(dead_code, reason = "the short figure is for hosts")]
-#[path = "../../../src/bits.rs"]
+#[path = "../../../src/bits/mod.rs"]
 mod bits;
 
 #[panic_handler]

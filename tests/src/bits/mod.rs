@@ -2,6 +2,8 @@
 //!
 //! This file is compiled for every target, by `tests` and by the programs of `tests/no-std`: it uses `core` alone.
 
+pub mod aimed;
+
 use kin_runtime::Constraint;
 use kin_runtime::prelude::*;
 use robots::{Cobra600, Irb2400, LabArm, LabRrr, Orion5, Puma560, Stanford, TwoLink};
