@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 out=${CARGO_TARGET_DIR:-target}/no-std
 target=thumbv7em-none-eabihf
-tasks=(forward elbow slide oblique general position choice track ball short trajectory watch velocity)
+tasks=(forward elbow slide oblique general batch position choice track ball short trajectory watch velocity)
 # A feature by itself is no argument: the number format, or nothing.
 declare -A format=([f64]="" [f32]="--features single")
 declare -A profile=([3]=release [s]=small)

@@ -1,7 +1,9 @@
 //! One thing asked of the library each, with inputs that no optimiser can foresee.
 
 use core::hint::black_box;
+use core::ops::ControlFlow;
 
+use kin_runtime::batch::{self, Progress};
 use kin_runtime::prelude::*;
 use kin_runtime::{dexterity, position_dexterity};
 use robots::{Cobra600, Irb2400, LabArm, LabRrr, Orion5, Puma560, Stanford, TwoLink};
@@ -79,12 +81,13 @@ pub type Run<'a> = &'a mut dyn FnMut(&mut dyn FnMut());
 pub type Task = fn(&mut Inputs, Run<'_>);
 
 /// All tasks, as the programs of `bin` are named.
-pub const ALL: [(&str, Task); 13] = [
+pub const ALL: [(&str, Task); 14] = [
     ("forward", forward),
     ("elbow", elbow),
     ("slide", slide),
     ("oblique", oblique),
     ("general", general),
+    ("batch", batch),
     ("position", position),
     ("choice", choice),
     ("track", track),
@@ -131,6 +134,21 @@ fn inverse(arm: &impl InverseKinematics<6>, inputs: &mut Inputs, measure: Run<'_
 /// `ik` over a shoulder and an elbow.
 pub fn elbow(inputs: &mut Inputs, measure: Run<'_>) {
     inverse(&Irb2400, inputs, measure);
+}
+
+/// `fk_jacobian_batch` and `ik_batch` of sixteen, told of as they go.
+pub fn batch(inputs: &mut Inputs, measure: Run<'_>) {
+    let q: [Joints<Number, 6>; 16] = core::array::from_fn(|_| inputs.joints());
+    let poses = q.map(|q| Irb2400.fk(&q));
+    let (mut places, mut jacobians) = (poses, q.map(|_| Jacobian::zeros()));
+    let mut solutions = [const { None }; 16];
+    measure(&mut || {
+        let mut going_on = |_: Progress| black_box(ControlFlow::Continue(()));
+        let mut run = batch::Run::new().with_progress(&mut going_on);
+        let _ = black_box(run.fk_jacobian(&Irb2400, black_box(&q), &mut places, &mut jacobians));
+        let _ = black_box(Irb2400.ik_batch(black_box(&poses), &mut solutions));
+        black_box((&places, &jacobians, &solutions));
+    });
 }
 
 /// `ik` over a shoulder and a slide.
