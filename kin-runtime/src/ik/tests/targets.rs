@@ -39,6 +39,22 @@ fn a_rotation_spoiled_in_one_way_alone_is_mended() {
     }
 }
 
+/// What is far from a rotation says by how much; where the squares of its entries overflow, or cancel to no number, by 1/ε.
+#[test]
+fn what_is_no_rotation_misses_being_one_by_a_number() {
+    let defect =
+        |rotation: Rotation| match Target::for_reach(&pose::from_rows(rotation, [0.1, 0.2, 0.3]), 1.0) {
+            Err(Reason::NotARotation { defect }) => defect,
+            other => panic!("{other:?}"),
+        };
+    let diagonal = |x: f64| [[x, 0.0, 0.0], [0.0, x, 0.0], [0.0, 0.0, x]];
+    assert_eq!(defect(diagonal(2.0)), 3.0);
+    assert_eq!(defect(diagonal(1e200)), 1.0 / EPS);
+    let [x, y, z] = diagonal(1.0);
+    let cancelling = [x.map(|c| c + 1e200), y.map(|c| c - 1e200), z];
+    assert_eq!(defect(cancelling), 1.0 / EPS);
+}
+
 #[test]
 fn a_pose_is_as_large_as_its_largest_coordinate_or_the_arm() {
     for (position, expected) in
