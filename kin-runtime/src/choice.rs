@@ -83,13 +83,12 @@ fn member_inside<T: Float, const N: usize, B: Branch>(
     let straight = |family: &crate::Family<'_, T, N, B>| family.line().is_some();
     let families = || solution.families();
     for family in families().filter(straight).chain(families().filter(|family| !straight(family))) {
-        let member = |value: T| family.resolved(&solve(&family.hold(value)));
+        let solve = |hold: &Joints<T, N>| family.resolved(&solve(hold));
         let wished = pose::entries(q).get(family.free()).copied();
-        let value = wished.and_then(|wished| family.ranges_of(joints, limits, member).nearest(wished));
-        if let Some(value) = value
-            && let Slot::Solved(found) = member(value)
-        {
-            return Some(found);
+        let value = wished.and_then(|wished| family.ranges_of((joints, limits), &solve).nearest(wished));
+        let found = value.and_then(|value| family.kept((joints, limits), &solve, (value, q)));
+        if found.is_some() {
+            return found;
         }
     }
     None

@@ -4,6 +4,7 @@
 //! that a branch can be followed from pose to pose.
 
 mod branch;
+mod crossings;
 mod display;
 mod family;
 mod members;
