@@ -20,6 +20,11 @@ impl Instructions {
     pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
     pub(crate) const WIDEST: Self = Self::Avx512;
 
+    /// Whether a register of theirs holds four doubles, or more.
+    pub(crate) const fn are_wide(self) -> bool {
+        cfg!(target_feature = "avx2") || !matches!(self, Instructions::Baseline)
+    }
+
     /// Whether this machine has them, and this build asks it.
     pub fn are_here(self) -> bool {
         match self {
@@ -34,9 +39,10 @@ impl Instructions {
     }
 }
 
-/// Does something with the widest instructions that are here. It must be inlined all the way, to be compiled for each of them.
+/// Does something with the widest instructions that are here, which it is told. It must be inlined all the way, to be compiled
+/// for each of them.
 #[inline(always)]
-pub(crate) fn run<R>(task: impl FnOnce() -> R, at_most: Instructions) -> R {
+pub(crate) fn run<R>(task: impl FnOnce(Instructions) -> R, at_most: Instructions) -> R {
     #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
     {
         use pulp::Simd;
@@ -44,29 +50,29 @@ pub(crate) fn run<R>(task: impl FnOnce() -> R, at_most: Instructions) -> R {
         if at_most >= Instructions::Avx512
             && let Some(wide) = V4::try_new()
         {
-            return Simd::vectorize(wide, Compiled(task));
+            return Simd::vectorize(wide, Compiled(task, Instructions::Avx512));
         }
         if at_most >= Instructions::Avx2
             && let Some(wide) = V3::try_new()
         {
-            return Simd::vectorize(wide, Compiled(task));
+            return Simd::vectorize(wide, Compiled(task, Instructions::Avx2));
         }
     }
     #[cfg(not(all(feature = "std", target_arch = "x86_64", any(unix, windows))))]
     let _ = at_most;
-    task()
+    task(Instructions::Baseline)
 }
 
 /// What pulp compiles for a set of instructions.
 #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
-struct Compiled<F>(F);
+struct Compiled<F>(F, Instructions);
 
 #[cfg(all(feature = "std", target_arch = "x86_64", any(unix, windows)))]
-impl<R, F: FnOnce() -> R> pulp::WithSimd for Compiled<F> {
+impl<R, F: FnOnce(Instructions) -> R> pulp::WithSimd for Compiled<F> {
     type Output = R;
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> R {
-        (self.0)()
+        (self.0)(self.1)
     }
 }

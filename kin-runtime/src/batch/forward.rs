@@ -6,16 +6,13 @@ use super::run::Work;
 use crate::arm::Arm;
 use crate::math::{Float, Lanes};
 use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::widths::Instructions;
 
 /// Configurations side by side, where one of two programs is asked for: two of the widest registers, so that one computes
-/// while the other waits for its results. Narrower machines lose nothing by it (measured: 8 takes up to a third longer).
+/// while the other waits for its results. With AVX2 nothing is lost by it (measured: 8 takes up to a third longer).
 const LANES: usize = 16;
 /// Where both are asked for together: of more, registers could not hold the results (measured: 16 takes a quarter longer).
 const LANES_OF_BOTH: usize = 8;
-
-/// Whether the target has vectors of numbers at all. Others take configurations one by one: side by side they would only be
-/// longer code.
-const VECTORS: bool = cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128"));
 
 /// Configurations, and the places for what is asked of them.
 pub(super) struct Forward<'a, A, T, P, const N: usize> {
@@ -29,7 +26,7 @@ pub(super) trait Answers<T, const N: usize>: Sized + Send {
     /// The first so many places, or all, and the rest.
     fn split_at(self, at: usize) -> (Self, Self);
     /// Fills all places, with as many configurations side by side as are best.
-    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>]);
+    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>], with: Instructions);
     /// Fills one place.
     fn one<A: Arm<N>>(self, arm: &A, q: &Joints<T, N>);
     /// Fills `L` places.
@@ -49,19 +46,21 @@ impl<A: Arm<N> + Sync, T: Float, P: Answers<T, N>, const N: usize> Work for Forw
     }
 
     #[inline(always)]
-    fn run(self) {
-        self.answers.fill(self.arm, self.q);
+    fn run(self, with: Instructions) {
+        self.answers.fill(self.arm, self.q, with);
     }
 }
 
-/// Fills all places: `L` at a time, the rest of them one by one.
+/// Fills all places: `L` at a time, the rest of them one by one; all so where registers are narrow, for two doubles side by side
+/// are not worth the way into lanes and back (measured: up to a third longer with SSE2).
 #[inline(always)]
 fn in_chunks<A: Arm<N>, T: Float, P: Answers<T, N>, const N: usize, const L: usize>(
     mut answers: P,
     arm: &A,
     q: &[Joints<T, N>],
+    with: Instructions,
 ) {
-    let (chunks, rest) = if VECTORS { q.as_chunks::<L>() } else { (&[] as &[_], q) };
+    let (chunks, rest) = if with.are_wide() { q.as_chunks::<L>() } else { (&[] as &[_], q) };
     for chunk in chunks {
         let (places, others) = answers.split_at(L);
         places.side_by_side(arm, &gathered(chunk));
@@ -97,8 +96,8 @@ impl<T: Float, const N: usize> Answers<T, N> for Poses<'_, T> {
     }
 
     #[inline(always)]
-    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>]) {
-        in_chunks::<A, T, Self, N, LANES>(self, arm, q);
+    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>], with: Instructions) {
+        in_chunks::<A, T, Self, N, LANES>(self, arm, q, with);
     }
 
     #[inline(always)]
@@ -141,8 +140,8 @@ impl<T: Float, const N: usize> Answers<T, N> for Jacobians<'_, T, N> {
     }
 
     #[inline(always)]
-    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>]) {
-        in_chunks::<A, T, Self, N, LANES>(self, arm, q);
+    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>], with: Instructions) {
+        in_chunks::<A, T, Self, N, LANES>(self, arm, q, with);
     }
 
     #[inline(always)]
@@ -181,8 +180,8 @@ impl<T: Float, const N: usize> Answers<T, N> for (Poses<'_, T>, Jacobians<'_, T,
     }
 
     #[inline(always)]
-    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>]) {
-        in_chunks::<A, T, Self, N, LANES_OF_BOTH>(self, arm, q);
+    fn fill<A: Arm<N>>(self, arm: &A, q: &[Joints<T, N>], with: Instructions) {
+        in_chunks::<A, T, Self, N, LANES_OF_BOTH>(self, arm, q, with);
     }
 
     #[inline(always)]

@@ -5,6 +5,7 @@ use super::run::Work;
 use crate::arm::InverseKinematics;
 use crate::math::Float;
 use crate::pose::Pose;
+use crate::widths::Instructions;
 
 /// Poses, and the places for their solutions.
 pub(super) struct Backward<'a, A: InverseKinematics<N>, T: Float, const N: usize> {
@@ -30,7 +31,7 @@ where
     }
 
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: Instructions) {
         self.arm.ik_each(self.poses, self.solutions);
     }
 }

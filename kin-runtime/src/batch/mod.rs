@@ -12,11 +12,12 @@
 //! ```
 //!
 //! What comes out has the bits that [`fk`](Arm::fk), [`jacobian`](Arm::jacobian) and [`ik`](InverseKinematics::ik) give one
-//! by one, whatever the length of the slices and the machine; where they give NaN, NaN. Configurations go through the arm's
-//! program side by side, as structures of arrays; with the feature `std` that program is compiled for several instruction
-//! sets, and the widest that the machine has is found while it runs ([`Instructions`]). Without it the same loops are
-//! compiled for what the whole program is compiled for. Poses of arms with an elbow and an orthogonal wrist are solved side by
-//! side too with the feature `std`; other inverses, and poses near a singular one, go one by one. Nothing is allocated.
+//! by one, whatever the length of the slices and the machine; where they give NaN, NaN. Where a register holds four doubles or
+//! more, configurations go through the arm's program side by side, as structures of arrays; with the feature `std` that program
+//! is compiled for several instruction sets, and the widest that the machine has is found while it runs ([`Instructions`]).
+//! Without it the same loops are compiled for what the whole program is compiled for. Poses of arms with an elbow and an
+//! orthogonal wrist are solved side by side too with the feature `std`; other inverses, and poses near a singular one, go one by
+//! one. Nothing is allocated.
 //!
 //! The methods of [`Batch`] run where they are called, to the end. A [`Run`] can do it on all threads (feature `rayon`), tell
 //! of progress, stop early, or keep to narrower instructions.

@@ -18,8 +18,8 @@ pub(super) trait Work: Sized + Send {
     fn len(&self) -> usize;
     /// The first so many, or all, and the rest.
     fn split_at(self, at: usize) -> (Self, Self);
-    /// Does them. To be inlined, so that it can be compiled for several instruction sets.
-    fn run(self);
+    /// Does them with these instructions. To be inlined, so that it can be compiled for each of them.
+    fn run(self, with: Instructions);
 }
 
 /// How far a batch has come.
@@ -213,7 +213,7 @@ impl Threads {
 fn done(work: impl Work, at_most: Instructions) {
     widths::run(
         #[inline(always)]
-        || work.run(),
+        |with| work.run(with),
         at_most,
     );
 }

@@ -100,7 +100,7 @@ fn solve_choosing<T: Float, A: SolveWrist<6>>(
     // A register of these holds four placements; wider ones would be half empty.
     widths::run(
         #[inline(always)]
-        || solve_here(arm, pose, hold),
+        |_| solve_here(arm, pose, hold),
         Instructions::Avx2,
     )
 }
