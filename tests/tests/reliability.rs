@@ -72,3 +72,14 @@ fn folded_with_the_wrist_centre_almost_on_the_first_axis() {
     assert!(!solutions.is_empty(), "{solutions}");
     assert!(solutions.iter().all(|solution| solution.residual <= 13.0 * f64::EPSILON), "{solutions}");
 }
+
+/// Found by this program: folded exactly, and the circle about axis 1 just touching the plane of the arm, so that both shoulders come
+/// from the boundary circle of the elbow, one on either side.
+#[test]
+fn each_shoulder_has_its_own_folded_elbow() {
+    let q: Joints<f32, 6> =
+        joints![-1.713_112_2, -0.255_040_65, 1.617_774_2, 1.644_186, -0.565_532_4, -0.805_978_95];
+    let solutions = robots::Puma560.ik(&robots::Puma560.fk(&q));
+    let arms = [-0.255, -2.886].map(|arm| solutions.iter().filter(|s| (s.q[1] - arm).abs() < 1e-2).count());
+    assert_eq!(arms, [2, 2], "{solutions}");
+}

@@ -114,7 +114,7 @@ impl<T: Float> Planar<'_, T> {
             let nudged = if plane.free {
                 Some(stand.own(sight, side))
             } else {
-                stand.nudged(plane, sight, open.boundary, window)
+                stand.nudged(plane, sight, side, open.boundary, window)
             };
             let closed = nudged.and_then(|plane| self.close(stand, &plane, side, window, hold).ok());
             closed.ok_or(open.reason)
@@ -223,15 +223,23 @@ impl<T: Float> Stand<T> {
     }
 
     /// The plane in which the wrist centre lies on the boundary circle of the second figure, if that is within
-    /// round-off of the circle about axis 1.
-    fn nudged(&self, plane: &Plane<T>, sight: &Sight<T>, boundary: T, window: T) -> Option<Plane<T>> {
+    /// round-off of the circle about axis 1. Where it lies so on either side of the foot of axis 2, each shoulder has its own.
+    fn nudged(
+        &self,
+        plane: &Plane<T>,
+        sight: &Sight<T>,
+        side: Shoulder,
+        boundary: T,
+        window: T,
+    ) -> Option<Plane<T>> {
         if plane.free || math::abs(sight.v) - boundary > window {
             return None;
         }
         let x = math::sqrt_or_zero((boundary - sight.v) * (boundary + sight.v));
-        let along = self.a1 + if plane.x < T::lit(0.0) { -x } else { x };
-        let off = math::abs(math::hypot(along, sight.across) - sight.radius);
-        (off <= window).then(|| self.turned(sight, along))
+        let first = if side == Shoulder::Right { x } else { -x };
+        let off = |along: T| math::abs(math::hypot(along, sight.across) - sight.radius);
+        let along = [self.a1 + first, self.a1 - first].into_iter().find(|along| off(*along) <= window)?;
+        Some(self.turned(sight, along))
     }
 
     fn second(&self, figure: T) -> T {
