@@ -2,25 +2,39 @@
 //!
 //! A singular set is where a figure of the solver collapses, so its place is known from the figure's constants alone:
 //! the links stretched or folded, the wrist centre in the plane through axis 1 in which both shoulders are one, axes 4,
-//! 5 and 6 in one plane. Aiming is not judging: a shot that goes wide is tried all the same.
+//! 5 and 6 in one plane; for joints whose figures are none of these, [`Lines`] knows. Arms without a wrist are aimed at whole
+//! quarter turns too, where axes become parallel. Aiming is not judging: a shot that goes wide is tried all the same.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use kin_runtime::Base;
 
+use super::lines::Lines;
 use crate::sample::Sampler;
 
 /// The last power of ten; the step after it is the singular set itself.
 const LAST_POWER: usize = 17;
 
 /// The constants of an arm that aiming needs, in row values.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Sights {
-    base: Base<f64>,
-    /// The bend at which the three wrist axes lie in one plane; half a turn from there they do so again.
-    straight: Option<f64>,
+    figures: Figures,
+    /// The rows of the base's joints, from its foot: the last three of an arm that is solved from its tool.
+    base: [usize; 3],
+    /// The row of the middle joint of a spherical wrist, or shoulder, and its value where the three axes lie in one plane; half a
+    /// turn from there they do so again.
+    straight: Option<(usize, f64)>,
     /// The range of each row value.
-    ranges: [(f64, f64); 6],
+    ranges: Vec<(f64, f64)>,
+}
+
+/// What collapses.
+#[derive(Clone, Debug)]
+pub enum Figures {
+    /// Links, or a link and a slide, in a plane.
+    Planar(Base<f64>),
+    /// Anything else; two joints are the second and the third of a base.
+    Lines(Lines),
 }
 
 /// The first three joints as a vector from axis 2 and the way joint 2 turns it.
@@ -30,15 +44,43 @@ struct Figure {
     reversed: [bool; 3],
 }
 
+impl Figures {
+    /// Of three joints.
+    pub fn of(base: Base<f64>) -> Figures {
+        match base {
+            Base::General(base) => Figures::Lines(Lines::of_three(&base)),
+            planar => Figures::Planar(planar),
+        }
+    }
+}
+
 impl Sights {
-    /// For an arm with these figures.
-    pub fn new(base: Base<f64>, straight: Option<f64>, ranges: [(f64, f64); 6]) -> Sights {
-        Sights { base, straight, ranges }
+    /// For an arm with these figures, the rows of whose joints are these.
+    pub fn new(
+        figures: Figures,
+        base: [usize; 3],
+        straight: Option<(usize, f64)>,
+        ranges: Vec<(f64, f64)>,
+    ) -> Sights {
+        Sights { figures, base, straight, ranges }
+    }
+
+    /// What it is aimed at.
+    pub fn kinds(&self) -> Vec<&'static str> {
+        let mut kinds = match &self.figures {
+            Figures::Planar(_) => vec!["elbow", "both shoulders"],
+            Figures::Lines(lines) => lines.kinds(),
+        };
+        kinds.push(if self.straight.is_some() { "wrist" } else { "quarter turns" });
+        kinds
     }
 
     /// The row values of one try: a quarter of them anywhere, the others at singular sets.
     pub fn row_values(&self, random: &mut Sampler) -> [f64; 6] {
-        let mut rows = self.ranges.map(|(low, high)| random.between(low, high));
+        let mut rows = [0.0; 6];
+        for (row, (low, high)) in rows.iter_mut().zip(&self.ranges) {
+            *row = random.between(*low, *high);
+        }
         if random.below(4) == 0 {
             return rows;
         }
@@ -47,16 +89,33 @@ impl Sights {
         let common = (random.below(2) == 0).then(|| random.below(LAST_POWER + 2));
         let mut off = || distance(common, random);
         let (wrist, elbow, shoulder) = (off(), off(), off());
-        if let Some(straight) = self.straight
-            && sets & 1 != 0
-        {
-            rows[4] = straight + if random.below(2) == 0 { 0.0 } else { PI } + wrist;
+        match self.straight {
+            Some((row, straight)) if sets & 1 != 0 => {
+                rows[row] = straight + if random.below(2) == 0 { 0.0 } else { PI } + wrist;
+            }
+            None if sets & 1 != 0 => {
+                let row = random.below(self.ranges.len());
+                rows[row] = FRAC_PI_2 * (random.below(4) as f64 - 1.0) + wrist;
+            }
+            _ => {}
         }
-        if sets & 2 != 0 {
-            self.close_elbow(&mut rows, elbow, random.below(2) == 0);
-        }
-        if sets & 4 != 0 {
-            self.close_shoulder(&mut rows, shoulder, random.below(2) == 0);
+        let [_, second, third] = self.base;
+        match &self.figures {
+            Figures::Planar(_) => {
+                if sets & 2 != 0 {
+                    self.close_elbow(&mut rows, elbow, random.below(2) == 0);
+                }
+                if sets & 4 != 0 {
+                    self.close_shoulder(&mut rows, shoulder, random.below(2) == 0);
+                }
+            }
+            Figures::Lines(lines) if sets & 6 != 0 => {
+                if let Some([at_second, at_third]) = lines.singular([rows[second], rows[third]], random) {
+                    rows[second] = at_second + if sets & 4 != 0 { shoulder } else { 0.0 };
+                    rows[third] = at_third + if sets & 2 != 0 { elbow } else { 0.0 };
+                }
+            }
+            Figures::Lines(_) => {}
         }
         rows
     }
@@ -68,11 +127,15 @@ impl Sights {
             let bend = ((angle + PI).rem_euclid(2.0 * PI) - PI).abs();
             bend.min(PI - bend)
         };
-        let wrist = self.straight.map(|straight| from_straight(rows[4] - straight));
+        let wrist = self.straight.map(|(row, straight)| from_straight(rows[row] - straight));
+        let [_, second, third] = self.base;
+        if let Figures::Lines(lines) = &self.figures {
+            let [shoulder, elbow] = lines.margins([rows[second], rows[third]]);
+            return [Some(shoulder), Some(elbow), wrist];
+        }
         let Some(figure) = self.figure() else { return [None, None, wrist] };
-        let (psi2, psi3) = (figure.angle(1, rows[1]), figure.angle(2, rows[2]));
-        let slides = matches!(self.base, Base::Telescope(_));
-        let elbow = if slides { psi3.abs() } else { from_straight(psi3) };
+        let (psi2, psi3) = (figure.angle(1, rows[second]), figure.angle(2, rows[third]));
+        let elbow = if self.slides() { psi3.abs() } else { from_straight(psi3) };
         let shoulder = self
             .centre(psi3)
             .map(|[along, across]| (along * psi2.cos() - across * psi2.sin() + figure.a1).abs());
@@ -81,40 +144,44 @@ impl Sights {
 
     /// The wrist centre in the arm's plane, before joint 2 turns it.
     fn centre(&self, psi3: f64) -> Option<[f64; 2]> {
-        if let Base::Elbow(b) = &self.base {
-            Some([b.upper + b.fore * psi3.cos(), b.fore * psi3.sin()])
-        } else if let Base::Telescope(b) = &self.base {
-            Some([b.arm, psi3])
-        } else {
-            None
+        match &self.figures {
+            Figures::Planar(Base::Elbow(b)) => Some([b.upper + b.fore * psi3.cos(), b.fore * psi3.sin()]),
+            Figures::Planar(Base::Telescope(b)) => Some([b.arm, psi3]),
+            _ => None,
         }
     }
 
     fn figure(&self) -> Option<Figure> {
-        if let Base::Elbow(b) = &self.base {
-            Some(Figure { a1: b.a1, offset: b.offset, reversed: b.reversed })
-        } else if let Base::Telescope(b) = &self.base {
-            Some(Figure { a1: b.a1, offset: b.offset, reversed: b.reversed })
-        } else {
-            None
+        match &self.figures {
+            Figures::Planar(Base::Elbow(b)) => {
+                Some(Figure { a1: b.a1, offset: b.offset, reversed: b.reversed })
+            }
+            Figures::Planar(Base::Telescope(b)) => {
+                Some(Figure { a1: b.a1, offset: b.offset, reversed: b.reversed })
+            }
+            _ => None,
         }
+    }
+
+    fn slides(&self) -> bool {
+        matches!(self.figures, Figures::Planar(Base::Telescope(_)))
     }
 
     /// Joint 3 to where the links are stretched or folded, or the slide is at its nearest.
     fn close_elbow(&self, rows: &mut [f64; 6], off: f64, folded: bool) {
         let Some(figure) = self.figure() else { return };
-        let slides = matches!(self.base, Base::Telescope(_));
-        rows[2] = figure.row(2, if folded && !slides { PI } else { 0.0 } + off);
+        rows[self.base[2]] = figure.row(2, if folded && !self.slides() { PI } else { 0.0 } + off);
     }
 
     /// Joint 2 to where the wrist centre lies in the plane that both shoulders share, if it comes there at all.
     fn close_shoulder(&self, rows: &mut [f64; 6], off: f64, front: bool) {
+        let [_, second, third] = self.base;
         let Some(figure) = self.figure() else { return };
-        let Some([along, across]) = self.centre(figure.angle(2, rows[2])) else { return };
+        let Some([along, across]) = self.centre(figure.angle(2, rows[third])) else { return };
         let length = along.hypot(across);
         if length > figure.a1.abs() {
             let turn = (-figure.a1 / length).acos();
-            rows[1] = figure.row(1, if front { turn } else { -turn } - across.atan2(along) + off);
+            rows[second] = figure.row(1, if front { turn } else { -turn } - across.atan2(along) + off);
         }
     }
 }

@@ -10,10 +10,12 @@
 //! arms that are solved from a pose and arms that are solved from a position one; [`parts`] says what there is to do.
 
 pub mod aim;
+pub mod lines;
 pub mod parts;
 pub mod report;
 pub mod run;
 pub mod subject;
 pub mod tally;
 pub mod trial;
+pub mod way;
 pub mod wild;

@@ -28,6 +28,8 @@ pub struct Order {
     pub patterns: u64,
     /// Where the random numbers start.
     pub seed: u64,
+    /// Whether arms that are known to miss a figure are left out.
+    pub held: bool,
     /// How many threads.
     pub threads: usize,
     /// Where the state is kept.
@@ -52,6 +54,8 @@ pub struct State {
     pub poses: u64,
     /// Its bit patterns.
     pub patterns: u64,
+    /// Whether it leaves out what is known to miss a figure.
+    pub held: bool,
     /// Its parts by name.
     pub parts: BTreeMap<String, Done>,
 }
@@ -63,18 +67,23 @@ impl State {
     /// The file cannot be read, or belongs to another run.
     fn begin(order: &Order) -> io::Result<State> {
         let parts = BTreeMap::new();
-        let fresh = State { seed: order.seed, poses: order.poses, patterns: order.patterns, parts };
+        let Order { seed, poses, patterns, held, .. } = *order;
+        let fresh = State { seed, poses, patterns, held, parts };
         match order.resume.as_deref().map(fs::read_to_string) {
             None => Ok(fresh),
             Some(Err(error)) if error.kind() == io::ErrorKind::NotFound => Ok(fresh),
             Some(text) => {
                 let state: State = serde_json::from_str(&text?)?;
-                let same =
-                    (state.seed, state.poses, state.patterns) == (fresh.seed, fresh.poses, fresh.patterns);
+                let same = State { parts: BTreeMap::new(), ..state.clone() } == fresh;
                 let other = || io::Error::other("the file to resume belongs to a run with other numbers");
                 if same { Ok(state) } else { Err(other()) }
             }
         }
+    }
+
+    /// What there is to do.
+    pub fn asked(&self) -> Vec<Part> {
+        parts(self.poses, self.patterns, self.held)
     }
 
     /// Written beside the file and then moved onto it, so that an interruption leaves the last state whole.
@@ -91,7 +100,7 @@ impl State {
 /// The file to resume cannot be read or written.
 pub fn run(order: &Order, bar: &ProgressBar) -> io::Result<State> {
     let mut state = State::begin(order)?;
-    let parts = parts(order.poses, order.patterns);
+    let parts = state.asked();
     bar.set_length(parts.iter().map(|part| part.tries).sum());
     let before = state.parts.values().map(|done| done.tries).sum();
     bar.set_position(before);

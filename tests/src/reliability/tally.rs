@@ -1,5 +1,7 @@
 //! What is counted: sums and worst cases, the same in whatever order the parts are put together.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 /// How many of the worst cases are kept of each kind.
@@ -53,9 +55,71 @@ impl Worst {
         self.0.truncate(KEPT);
     }
 
+    fn merge(&mut self, other: Worst) {
+        other.0.into_iter().for_each(|case| self.insert(case));
+    }
+
     /// How bad the worst is; 0 if there is none.
     pub fn badness(&self) -> f64 {
         self.0.first().map_or(0.0, Case::badness)
+    }
+}
+
+/// What must not happen.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fault {
+    /// A pose came back empty.
+    Empty,
+    /// The joint values are not among the solutions, nor any that the pose cannot tell from them; the badness is their distance over
+    /// the one allowed.
+    Lost,
+    /// A solution misses the pose by more than is promised; the badness is by how many ε.
+    Inexact,
+    /// Two solutions are one.
+    Twice,
+    /// A solution is not finite or has an angle outside (-π, π], or there are more of them than there can be.
+    Malformed,
+    /// It panicked.
+    Panicked,
+}
+
+impl Fault {
+    /// All of them, with their names.
+    pub const ALL: [(Fault, &'static str); 6] = [
+        (Fault::Empty, "empty"),
+        (Fault::Lost, "lost"),
+        (Fault::Inexact, "inexact"),
+        (Fault::Twice, "twice"),
+        (Fault::Malformed, "malformed"),
+        (Fault::Panicked, "panicked"),
+    ];
+}
+
+/// In how many tries something happened.
+#[derive(Clone, PartialEq, Serialize, Deserialize, Debug, Default)]
+pub struct Count {
+    /// In so many.
+    pub tries: u64,
+    /// By arm.
+    pub arms: BTreeMap<String, u64>,
+    /// The worst of them.
+    pub worst: Worst,
+}
+
+impl Count {
+    /// Once more.
+    pub fn add(&mut self, badness: f64, index: u64, arm: &str, bits: impl FnOnce() -> Vec<String>) {
+        self.tries += 1;
+        *self.arms.entry(arm.to_owned()).or_default() += 1;
+        self.worst.add(badness, index, arm, bits);
+    }
+
+    fn merge(&mut self, other: Count) {
+        self.tries += other.tries;
+        for (arm, tries) in other.arms {
+            *self.arms.entry(arm).or_default() += tries;
+        }
+        self.worst.merge(other.worst);
     }
 }
 
@@ -68,73 +132,42 @@ pub struct Tally {
     pub solutions: u64,
     /// Tries with a family among their solutions.
     pub families: u64,
-    /// Tries whose pose came back empty.
-    pub empty: Worst,
-    /// How many those were.
-    pub empties: u64,
-    /// Tries whose joint values are not among the solutions; the badness is their distance over the one allowed.
-    pub lost: Worst,
-    /// How many those were.
-    pub losses: u64,
-    /// Of those that are not lost, the farthest: their distance over the one allowed.
+    /// What must be nothing, in the order of [`Fault::ALL`].
+    faults: [Count; 6],
+    /// Tries whose pose, being rounded, does not determine the joints within the tolerance asked for: others that it cannot tell from
+    /// them came back. The badness is as for those that are lost.
+    pub blurred: Count,
+    /// Of those that came back within the tolerance, the farthest: their distance over the one allowed.
     pub strayed: Worst,
-    /// Tries whose pose, being rounded, does not determine the joints within the tolerance asked for: another vector in
-    /// the same place came back. The badness is as for `lost`.
-    pub blurred: Worst,
-    /// How many those were.
-    pub blurs: u64,
-    /// Pairs of solutions that are one.
-    pub twice: Worst,
-    /// In how many tries.
-    pub twices: u64,
-    /// Tries with a solution outside (-π, π], not finite, or more solutions than there are branches.
-    pub malformed: Worst,
-    /// How many those were.
-    pub malformeds: u64,
-    /// Tries that panicked.
-    pub panicked: Worst,
-    /// How many those were.
-    pub panics: u64,
     /// The worst residuals, in ε.
     pub residual: Worst,
 }
 
 impl Tally {
+    /// How often this happened.
+    pub fn of(&self, fault: Fault) -> &Count {
+        &self.faults[fault as usize]
+    }
+
+    /// The same, to count on.
+    pub fn of_mut(&mut self, fault: Fault) -> &mut Count {
+        &mut self.faults[fault as usize]
+    }
+
+    /// How many tries had this arm any fault in, one of two faults counting twice.
+    pub fn faults_of(&self, arm: &str) -> u64 {
+        self.faults.iter().filter_map(|count| count.arms.get(arm)).sum()
+    }
+
     /// Both together.
     pub fn merge(&mut self, other: Tally) {
         self.tries += other.tries;
         self.solutions += other.solutions;
         self.families += other.families;
-        self.empties += other.empties;
-        self.losses += other.losses;
-        self.blurs += other.blurs;
-        self.twices += other.twices;
-        self.malformeds += other.malformeds;
-        self.panics += other.panics;
-        let lists = [
-            (&mut self.empty, other.empty),
-            (&mut self.lost, other.lost),
-            (&mut self.strayed, other.strayed),
-            (&mut self.blurred, other.blurred),
-            (&mut self.twice, other.twice),
-            (&mut self.malformed, other.malformed),
-            (&mut self.panicked, other.panicked),
-            (&mut self.residual, other.residual),
-        ];
-        for (list, more) in lists {
-            more.0.into_iter().for_each(|case| list.insert(case));
-        }
-    }
-
-    /// What must be nothing, each with its name and its cases.
-    pub fn faults(&self) -> [(&'static str, u64, &Worst); 5] {
-        [
-            ("empty", self.empties, &self.empty),
-            ("lost", self.losses, &self.lost),
-            ("twice", self.twices, &self.twice),
-            ("malformed", self.malformeds, &self.malformed),
-            ("panicked", self.panics, &self.panicked),
-        ]
+        self.faults.iter_mut().zip(other.faults).for_each(|(count, more)| count.merge(more));
+        self.blurred.merge(other.blurred);
+        self.strayed.merge(other.strayed);
+        self.residual.merge(other.residual);
     }
 }
 
@@ -146,6 +179,7 @@ fn the_order_of_the_parts_does_not_matter() {
             let badness = (index * 7 % 11) as f64;
             tally.tries += 1;
             tally.residual.add(badness, index, "arm", || vec![format!("{index:x}")]);
+            tally.of_mut(Fault::Lost).add(badness, index, "arm", || vec![format!("{index:x}")]);
         }
         tally
     };
@@ -154,4 +188,5 @@ fn the_order_of_the_parts_does_not_matter() {
     [40, 0, 20].into_iter().for_each(|first| backwards.merge(part(first)));
     assert_eq!(forwards, backwards);
     assert_eq!(forwards.residual.badness(), 10.0);
+    assert_eq!((forwards.of(Fault::Lost).tries, forwards.faults_of("arm")), (60, 60));
 }

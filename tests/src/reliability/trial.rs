@@ -1,13 +1,12 @@
 //! One try: joint values forward to a pose and back, and what must hold of the answer.
 
-use std::f64::consts::{PI, TAU};
-
-use kin_runtime::JointKind;
 use kin_runtime::prelude::*;
+use kin_runtime::{Joint, JointKind, singularity};
 
 use super::aim::Sights;
-use super::subject::{Bits, Subject};
-use super::tally::Tally;
+use super::subject::{Bits, Family, Subject};
+use super::tally::{Fault, Tally};
+use super::way::{self, Moving};
 use crate::sample::Sampler;
 
 /// The joints may come back this many ε over the smallest singular value away …
@@ -23,16 +22,61 @@ pub struct Try<'a, S> {
     pub subject: &'a S,
     /// Where to aim.
     pub sights: &'a Sights,
+    /// What its family promises.
+    pub family: Family,
     /// The number of the try.
     pub index: u64,
 }
 
-/// Where a try came from.
-struct There<T: Bits, const N: usize> {
-    q: Joints<T, N>,
-    target: Pose<T>,
-    /// Of the shoulder, the elbow and the wrist.
-    margins: [Option<f64>; 3],
+/// A solution: its joint values, and whether it is isolated.
+type Answer<T, const N: usize> = (Joints<T, N>, bool);
+
+/// An arm in one number format, whoever it is: what follows is then compiled once for each number of joints.
+trait Asked<T, const N: usize>: Moving<N> {
+    fn fk(&self, q: &Joints<T, N>) -> Pose<T>;
+    fn solved(&self, target: &Pose<T>) -> Vec<Answer<T, N>>;
+    fn solved_holding(&self, target: &Pose<T>, hold: &Joints<T, N>) -> Vec<Answer<T, N>>;
+    fn commanded(&self, rows: [f64; 6]) -> [f64; N];
+}
+
+impl<const N: usize, S: Subject<N>> Moving<N> for S {
+    fn joints(&self) -> [Joint; N] {
+        S::JOINTS
+    }
+
+    fn length(&self) -> f64 {
+        self.reach()
+    }
+
+    fn turns(&self) -> bool {
+        S::TURNS
+    }
+
+    fn at(&self, q: &Joints<f64, N>) -> (Pose<f64>, Jacobian<f64, N>) {
+        self.fk_jacobian(q)
+    }
+
+    fn reached(&self, q: &Joints<f64, N>) -> Pose<f64> {
+        Arm::fk(self, q)
+    }
+}
+
+impl<T: Bits, const N: usize, S: Subject<N>> Asked<T, N> for S {
+    fn fk(&self, q: &Joints<T, N>) -> Pose<T> {
+        Arm::fk(self, q)
+    }
+
+    fn solved(&self, target: &Pose<T>) -> Vec<Answer<T, N>> {
+        self.solve(target).iter().map(|s| (s.q, s.is_isolated())).collect()
+    }
+
+    fn solved_holding(&self, target: &Pose<T>, hold: &Joints<T, N>) -> Vec<Answer<T, N>> {
+        self.solve_holding(target, hold).iter().map(|s| (s.q, s.is_isolated())).collect()
+    }
+
+    fn commanded(&self, rows: [f64; 6]) -> [f64; N] {
+        Subject::commanded(self, rows)
+    }
 }
 
 /// The bit patterns of numbers.
@@ -40,39 +84,22 @@ pub fn bits<T: Bits>(values: &[T]) -> Vec<String> {
     values.iter().map(|x| format!("{:#x}", x.bits())).collect()
 }
 
-/// The move of one joint, angles the short way round.
-fn way<T: Bits, const N: usize, A: Arm<N>>(_: &A, joint: usize, a: &Joints<T, N>, b: &Joints<T, N>) -> f64 {
-    let way = a[joint].wide() - b[joint].wide();
-    let turning = A::JOINTS[joint].kind == JointKind::Revolute;
-    if turning { ((way + PI).rem_euclid(TAU) - PI).abs() } else { way.abs() }
+/// A pose in doubles.
+fn widened<T: Bits>(pose: &Pose<T>) -> Pose<f64> {
+    let (rows, position) = kin_runtime::private::entries(pose);
+    kin_runtime::private::pose(rows.map(|row| row.map(T::wide)), position.map(T::wide))
 }
 
-/// The largest move of a joint.
-fn distance<T: Bits, const N: usize, A: Arm<N>>(arm: &A, a: &Joints<T, N>, b: &Joints<T, N>) -> f64 {
-    (0..N).fold(0.0, |worst: f64, joint| worst.max(way(arm, joint, a, b)))
-}
-
-/// How far forward kinematics of a solution misses its target, over the reach and ε.
-fn missed<T: Bits, const N: usize, S: Subject<N>>(subject: &S, q: &Joints<T, N>, target: &Pose<T>) -> f64 {
-    let reached = subject.fk(q);
-    let apart = |a: &[T], b: &[T]| {
-        let each = a.iter().zip(b).map(|(a, b)| (a.wide() - b.wide()).abs());
-        // A plain `max` would drop a NaN, which is the worst there is.
-        each.fold(0.0, |worst: f64, x| if x > worst || x.is_nan() { x } else { worst })
-    };
-    let shift = apart(reached.translation.vector.as_slice(), target.translation.vector.as_slice());
-    let turn = apart(reached.rotation.matrix().as_slice(), target.rotation.matrix().as_slice());
-    let shift = shift / subject.reach();
-    let both = if S::TURNS && (turn > shift || turn.is_nan()) { turn } else { shift };
-    both / T::EPS.wide()
+/// Joint values as doubles.
+fn wide<T: Bits, const N: usize>(q: &Joints<T, N>) -> Joints<f64, N> {
+    Joints::from_fn(|joint, _| q[joint].wide())
 }
 
 /// Whether every joint value may be given out: finite, angles in (-π, π].
-pub fn well_formed<T: Bits, const N: usize, A: Arm<N>>(_: &A, q: &Joints<T, N>) -> bool {
+pub fn well_formed<T: Bits, const N: usize>(joints: &[Joint; N], q: &Joints<T, N>) -> bool {
     let half = T::TURN.0.wide() * 0.5;
-    (0..N).all(|joint| {
-        let value = q[joint].wide();
-        let turning = A::JOINTS[joint].kind == JointKind::Revolute;
+    joints.iter().zip(q).all(|(joint, value)| {
+        let (value, turning) = (value.wide(), joint.kind == JointKind::Revolute);
         value.is_finite() && (!turning || (value > -half && value <= half))
     })
 }
@@ -83,132 +110,133 @@ impl<S> Try<'_, S> {
     where
         S: Subject<N>,
     {
-        let rows = self.sights.row_values(random);
-        let commanded = self.subject.commanded(rows);
+        let (sights, family, index) = (self.sights, self.family, self.index);
+        Trip::<T, N> { arm: self.subject, name: S::NAME, family, index }.go(sights, random, tally);
+    }
+}
+
+/// A try of an arm whose type is forgotten.
+struct Trip<'a, T, const N: usize> {
+    arm: &'a dyn Asked<T, N>,
+    name: &'static str,
+    family: Family,
+    index: u64,
+}
+
+/// Where a try came from.
+struct There<T: Bits, const N: usize> {
+    q: Joints<T, N>,
+    target: Pose<T>,
+}
+
+impl<T: Bits, const N: usize> Trip<'_, T, N> {
+    fn go(&self, sights: &Sights, random: &mut Sampler, tally: &mut Tally) {
+        let commanded = self.arm.commanded(sights.row_values(random));
         let q = Joints::<T, N>::from_fn(|joint, _| T::rounded(commanded[joint]));
-        let target = self.subject.fk(&q);
-        let solutions = self.subject.solve(&target);
-        let found: Vec<_> = solutions.iter().collect();
+        let target = self.arm.fk(&q);
+        let found = self.arm.solved(&target);
         let case = || bits(q.as_slice());
 
         tally.tries += 1;
         tally.solutions += found.len() as u64;
-        tally.families += u64::from(found.iter().any(|solution| !solution.is_isolated()));
+        tally.families += u64::from(found.iter().any(|(_, isolated)| !isolated));
         if found.is_empty() {
-            tally.empties += 1;
-            tally.empty.add(1.0, self.index, S::NAME, case);
+            tally.of_mut(Fault::Empty).add(1.0, self.index, self.name, case);
             return;
         }
-        for solution in &found {
-            let residual = missed(self.subject, &solution.q, &target);
-            tally.residual.add(residual, self.index, S::NAME, case);
+        let missed = found.iter().map(|(solution, _)| self.missed(solution, &target));
+        let worst = missed.fold(0.0, |worst: f64, x| if x > worst || x.is_nan() { x } else { worst });
+        tally.residual.add(worst, self.index, self.name, case);
+        if worst.is_nan() || worst > self.family.promised {
+            tally.of_mut(Fault::Inexact).add(worst, self.index, self.name, case);
         }
-        let formed = found.iter().all(|solution| well_formed(self.subject, &solution.q));
-        if !formed || found.len() > S::Branch::ALL.len() {
-            tally.malformeds += 1;
-            tally.malformed.add(1.0, self.index, S::NAME, case);
+        let joints = self.arm.joints();
+        if found.len() > self.family.most || !found.iter().all(|(q, _)| well_formed(&joints, q)) {
+            tally.of_mut(Fault::Malformed).add(1.0, self.index, self.name, case);
         }
-        if self.twice(&found.iter().map(|solution| solution.q).collect::<Vec<_>>()) {
-            tally.twices += 1;
-            tally.twice.add(1.0, self.index, S::NAME, case);
+        if self.twice(&found) {
+            tally.of_mut(Fault::Twice).add(1.0, self.index, self.name, case);
         }
-        self.recall(&There { q, target, margins: self.sights.margins(&rows) }, &solutions, tally);
+        self.recall(&There { q, target }, &found, tally);
     }
 
-    /// Whether two of the joint vectors are one.
-    fn twice<T: Bits, const N: usize>(&self, all: &[Joints<T, N>]) -> bool
-    where
-        S: Subject<N>,
-    {
-        // The library compares in its own format: a little less than its tolerance is a fault in any case.
-        let same = 0.999 * SAME * T::EPS.wide().sqrt() * self.unit();
-        all.iter().enumerate().any(|(i, a)| all[..i].iter().any(|b| distance(self.subject, a, b) <= same))
-    }
-
-    /// What one radian is compared with where joints slide.
-    fn unit<const N: usize>(&self) -> f64
-    where
-        S: Subject<N>,
-    {
-        let slides = S::JOINTS.iter().any(|joint| joint.kind == JointKind::Prismatic);
-        if slides { self.subject.reach().min(1.0) } else { 1.0 }
-    }
-
-    /// The joints that the pose came from must be among the solutions, or a member of one of their families.
-    fn recall<T: Bits, const N: usize>(
-        &self,
-        there: &There<T, N>,
-        back: &Solutions<T, N, S::Branch>,
-        tally: &mut Tally,
-    ) where
-        S: Subject<N>,
-    {
-        let nearest = |solutions: &Solutions<T, N, S::Branch>| {
-            let all = solutions.iter().map(|solution| distance(self.subject, &solution.q, &there.q));
-            all.fold(f64::INFINITY, f64::min)
+    /// How far forward kinematics of a solution misses its target, over the reach and ε.
+    fn missed(&self, q: &Joints<T, N>, target: &Pose<T>) -> f64 {
+        let reached = self.arm.fk(q);
+        let apart = |a: &[T], b: &[T]| {
+            let each = a.iter().zip(b).map(|(a, b)| (a.wide() - b.wide()).abs());
+            // A plain `max` would drop a NaN, which is the worst there is.
+            each.fold(0.0, |worst: f64, x| if x > worst || x.is_nan() { x } else { worst })
         };
-        let epsilon = T::EPS.wide();
-        let mut off = nearest(back);
-        // What is near enough for the largest singular value needs no smallest one.
-        if off * self.size(&there.q) <= CONDITIONED * epsilon {
+        let shift = apart(reached.translation.vector.as_slice(), target.translation.vector.as_slice());
+        let turn = apart(reached.rotation.matrix().as_slice(), target.rotation.matrix().as_slice());
+        let shift = shift / self.arm.length();
+        let both = if self.arm.turns() && (turn > shift || turn.is_nan()) { turn } else { shift };
+        both / T::EPS.wide()
+    }
+
+    fn between(&self, a: &Joints<T, N>, b: &Joints<T, N>) -> Joints<f64, N> {
+        way::between(self.arm, &wide(a), &wide(b))
+    }
+
+    /// Whether two of the solutions are one.
+    fn twice(&self, all: &[Answer<T, N>]) -> bool {
+        // The library compares in its own format: a little less than its tolerance is a fault in any case. It compares slides
+        // with a radian as they are, or with the reach if that is shorter.
+        let (joints, reach) = (self.arm.joints(), self.arm.length());
+        let slides = joints.map(|joint| joint.kind == JointKind::Prismatic);
+        let unit = if slides.contains(&true) { reach.min(1.0) } else { 1.0 };
+        let same = 0.999 * SAME * T::EPS.wide().sqrt() * unit;
+        let apart = |a: &Joints<T, N>, b: &Joints<T, N>| {
+            let way = self.between(a, b);
+            let each =
+                way.iter().zip(slides).map(|(way, slides)| way.abs() * if slides { reach } else { 1.0 });
+            each.fold(0.0, f64::max)
+        };
+        all.iter().enumerate().any(|(i, (a, _))| all[..i].iter().any(|(b, _)| apart(a, b) <= same))
+    }
+
+    /// The joints that the pose came from must be among the solutions, or a member of one of their families; or a pose that
+    /// determines them badly must have led to others that it cannot tell from them.
+    fn recall(&self, there: &There<T, N>, back: &[Answer<T, N>], tally: &mut Tally) {
+        let near = |all: &[Answer<T, N>]| -> Vec<(f64, Joints<T, N>)> {
+            all.iter().map(|(q, _)| (self.between(q, &there.q).amax(), *q)).collect()
+        };
+        let least =
+            |all: &[(f64, Joints<T, N>)]| all.iter().fold(f64::INFINITY, |least, (off, _)| least.min(*off));
+        let (mut all, epsilon) = (near(back), T::EPS.wide());
+        let mut off = least(&all);
+        let own = wide(&there.q);
+        let jacobian = way::jacobian(self.arm, &self.arm.at(&own).1);
+        // What is near enough for the largest singular value needs no smallest one: none is larger than the Frobenius norm.
+        if off * jacobian.norm() <= CONDITIONED * epsilon {
             return;
         }
-        let dexterity = self.subject.dexterity(&there.q);
-        let allowed = (CONDITIONED * epsilon / dexterity.margin.wide()).min(CUSP * epsilon.sqrt());
-        if off > allowed && back.iter().any(|solution| !solution.is_isolated()) {
-            off = off.min(nearest(&self.subject.solve_holding(&there.target, &there.q)));
+        let values = singularity::singular_values(&jacobian);
+        let values = values.iter().take(if self.arm.turns() { 6 } else { 3 });
+        let margin = values.clone().fold(f64::INFINITY, |least, value| least.min(*value));
+        let allowed = (CONDITIONED * epsilon / margin).min(CUSP * epsilon.sqrt());
+        if off > allowed && back.iter().any(|(_, isolated)| !isolated) {
+            all.extend(near(&self.arm.solved_holding(&there.target, &there.q)));
+            off = least(&all);
         }
         let case = || bits(there.q.as_slice());
         if off <= allowed {
-            tally.strayed.add(off / allowed, self.index, S::NAME, case);
+            tally.strayed.add(off / allowed, self.index, self.name, case);
             return;
         }
-        let blurred = CONDITIONED * epsilon / dexterity.manipulability.wide();
-        let mut near =
-            back.iter().filter(|solution| distance(self.subject, &solution.q, &there.q) <= blurred);
-        if near.any(|solution| self.same_place(there, solution)) {
-            tally.blurs += 1;
-            tally.blurred.add(off / allowed, self.index, S::NAME, case);
+        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        // Solutions that hold on to nothing come back as they were.
+        all.dedup_by(|(_, a), (_, b)| a == b);
+        let (target, window) = (widened(&there.target), self.family.promised * epsilon);
+        // Directions that are nearly lost add up to no more than the product of all singular values lets them.
+        let blurred = CONDITIONED * epsilon / values.product::<f64>();
+        let near = all.iter().filter(|(off, _)| *off <= blurred);
+        let ends: Vec<Joints<f64, N>> = near.map(|(_, q)| wide(q)).collect();
+        if way::leads(self.arm, &target, &own, &ends, window) {
+            tally.blurred.add(off / allowed, self.index, self.name, case);
         } else {
-            tally.losses += 1;
-            tally.lost.add(off / allowed, self.index, S::NAME, case);
+            tally.of_mut(Fault::Lost).add(off / allowed, self.index, self.name, case);
         }
-    }
-
-    /// Whether a solution is as far from each singular set as the joints that went in; of the wrist's only where the
-    /// base is the same, because the wrist follows the base.
-    fn same_place<T: Bits, const N: usize>(
-        &self,
-        there: &There<T, N>,
-        back: &Solution<T, N, S::Branch>,
-    ) -> bool
-    where
-        S: Subject<N>,
-    {
-        let near = CUSP * T::EPS.wide().sqrt();
-        let slides = S::JOINTS.iter().any(|joint| joint.kind == JointKind::Prismatic);
-        let reach = self.subject.reach();
-        let margins = [Some(back.margins.shoulder), Some(back.margins.elbow), back.margins.wrist];
-        let units = [reach, if slides { reach } else { 1.0 }, 1.0];
-        let mut same =
-            there.margins.iter().zip(margins).zip(units).map(|((there, back), unit)| match (there, back) {
-                (Some(there), Some(back)) => (there - back.wide()).abs() <= near * unit,
-                _ => true,
-            });
-        let base = (0..3).all(|joint| way(self.subject, joint, &back.q, &there.q) <= near);
-        same.next() == Some(true) && same.next() == Some(true) && (!base || same.next() == Some(true))
-    }
-
-    /// The Frobenius norm of the Jacobian, linear rows divided by the reach: no singular value is larger.
-    fn size<T: Bits, const N: usize>(&self, q: &Joints<T, N>) -> f64
-    where
-        S: Subject<N>,
-    {
-        let (jacobian, reach) = (self.subject.jacobian(q), self.subject.reach());
-        let squares = jacobian.row_iter().enumerate().map(|(row, entries)| {
-            let unit = if row < 3 { reach } else { 1.0 };
-            entries.iter().map(|x| (x.wide() / unit).powi(2)).sum::<f64>()
-        });
-        squares.sum::<f64>().sqrt()
     }
 }

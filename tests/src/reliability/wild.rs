@@ -3,7 +3,7 @@
 use kin_runtime::prelude::*;
 
 use super::subject::{Bits, Subject};
-use super::tally::Tally;
+use super::tally::{Fault, Tally};
 use super::trial::{Try, bits, well_formed};
 use crate::sample::Sampler;
 
@@ -40,11 +40,10 @@ impl<S> Try<'_, S> {
         for solution in solutions.iter() {
             tally.solutions += 1;
             tally.families += u64::from(!solution.is_isolated());
-            good &= well_formed(self.subject, &solution.q) && solution.residual <= allowed;
+            good &= well_formed(&S::JOINTS, &solution.q) && solution.residual <= allowed;
         }
         if !good {
-            tally.malformeds += 1;
-            tally.malformed.add(1.0, self.index, S::NAME, || bits(&entries(&target)));
+            tally.of_mut(Fault::Malformed).add(1.0, self.index, S::NAME, || bits(&entries(&target)));
         }
     }
 

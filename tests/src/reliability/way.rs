@@ -1,0 +1,222 @@
+//! Whether a pose can tell two joint vectors apart at all: not if a way leads from one to the other on which it is reached.
+//!
+//! The way is found by halving. Each end is first moved towards the other along the directions that the arm has lost there, as far as
+//! the pose allows. The middle of the two is brought back onto the pose by damped least-squares steps, and each half is halved in
+//! its turn, until all pieces are short and their middles lie where they would if the piece were straight, but for a tenth of its length.
+//! At each point of the way forward kinematics meets the pose within what a solution may miss, so that each is as good a solution as
+//! either end, and a solver that is given the rounded pose, and nothing else, has no means of preferring one. There are more points than
+//! any arm of six joints has isolated solutions. How they are found does not matter to that; a way that is not found is held against
+//! the solver.
+
+use std::f64::consts::{PI, TAU};
+
+use kin_runtime::prelude::*;
+use kin_runtime::{Joint, JointKind, singularity};
+use nalgebra::{Matrix6, SMatrix, SVD, Vector6};
+
+/// A piece of a way is at most this part of the distance of its ends: with them there are more points than the 16 isolated solutions
+/// that six joints can have …
+const SHORT: f64 = 1.0 / 16.0;
+
+/// … and its middle at most this part of its length from where it would be if the piece were straight.
+const BENT: f64 = 0.1;
+
+/// Steps that bring a point back at most …
+const STEPS: usize = 60;
+
+/// … and those of a whole way.
+const TRIED: usize = 1500;
+
+/// A direction with a smaller singular value is lost.
+const LOST: f64 = 1e-5;
+
+/// How points are brought back: the shortest step is made that leaves this part of what is missed, where moves of the first and of the
+/// second half of the joints count as so much shorter than they are. A way that is not found in one manner may be in another.
+const MANNERS: [(f64, [f64; 2]); 7] = [
+    (0.1, [1.0, 1.0]),
+    (0.01, [1.0, 1.0]),
+    (0.5, [1.0, 1.0]),
+    (1e-4, [1.0, 1.0]),
+    (0.1, [0.01, 1.0]),
+    (0.1, [1.0, 0.01]),
+    (0.01, [1e-4, 1.0]),
+];
+
+/// An arm in doubles, whoever it is: turns in radians, slides in reaches.
+pub trait Moving<const N: usize> {
+    /// Its joints.
+    fn joints(&self) -> [Joint; N];
+    /// Its reach.
+    fn length(&self) -> f64;
+    /// Whether orientations count.
+    fn turns(&self) -> bool;
+    /// The pose and the Jacobian.
+    fn at(&self, q: &Joints<f64, N>) -> (Pose<f64>, Jacobian<f64, N>);
+    /// The pose alone.
+    fn reached(&self, q: &Joints<f64, N>) -> Pose<f64>;
+}
+
+fn slides(joint: &Joint) -> bool {
+    joint.kind == JointKind::Prismatic
+}
+
+/// From one joint vector to another, angles the short way round.
+pub fn between<const N: usize>(
+    arm: &dyn Moving<N>,
+    from: &Joints<f64, N>,
+    to: &Joints<f64, N>,
+) -> Joints<f64, N> {
+    let joints = arm.joints();
+    Joints::from_fn(|joint, _| {
+        let way = to[joint] - from[joint];
+        if slides(&joints[joint]) { way / arm.length() } else { (way + PI).rem_euclid(TAU) - PI }
+    })
+}
+
+fn moved<const N: usize>(arm: &dyn Moving<N>, from: &Joints<f64, N>, by: &Joints<f64, N>) -> Joints<f64, N> {
+    let joints = arm.joints();
+    Joints::from_fn(|joint, _| {
+        from[joint] + by[joint] * if slides(&joints[joint]) { arm.length() } else { 1.0 }
+    })
+}
+
+/// The Jacobian of what is asked for, in radians and reaches.
+pub fn jacobian<const N: usize>(arm: &dyn Moving<N>, jacobian: &Jacobian<f64, N>) -> Jacobian<f64, N> {
+    let mut jacobian = singularity::scaled(jacobian, arm.length());
+    for (column, joint) in arm.joints().iter().enumerate() {
+        if slides(joint) {
+            jacobian.column_mut(column).scale_mut(arm.length());
+        }
+    }
+    if !arm.turns() {
+        jacobian.fixed_rows_mut::<3>(3).fill(0.0);
+    }
+    jacobian
+}
+
+/// How the tool must move to the target, as the rows of the Jacobian count, and by how much it misses it: the largest entry of the
+/// position, over the reach, or of the rotation.
+fn missing<const N: usize>(arm: &dyn Moving<N>, here: &Pose<f64>, target: &Pose<f64>) -> (Vector6<f64>, f64) {
+    let shift = (target.translation.vector - here.translation.vector) / arm.length();
+    if !arm.turns() {
+        return (Vector6::new(shift.x, shift.y, shift.z, 0.0, 0.0, 0.0), shift.amax());
+    }
+    let (wanted, found) = (target.rotation.matrix(), here.rotation.matrix());
+    let turn = wanted * found.transpose();
+    let turn = (turn - turn.transpose()) * 0.5;
+    let step = Vector6::new(shift.x, shift.y, shift.z, turn[(2, 1)], turn[(0, 2)], turn[(1, 0)]);
+    (step, shift.amax().max((wanted - found).amax()))
+}
+
+/// Whether the pose is reached within `window` all along some way to one of the ends. Most ends that are led to are found in the first
+/// manner, so that all of them are tried in one manner before any is in the next.
+pub fn leads<const N: usize>(
+    arm: &dyn Moving<N>,
+    target: &Pose<f64>,
+    from: &Joints<f64, N>,
+    ends: &[Joints<f64, N>],
+    window: f64,
+) -> bool {
+    let search = |(left, ease)| Search { arm, target, window, left, ease };
+    ends.iter().any(|to| search(MANNERS[0]).straight(from, &between(arm, from, to)))
+        || MANNERS.into_iter().any(|manner| ends.iter().any(|to| search(manner).halved(*from, *to)))
+}
+
+/// What ways are looked for.
+struct Search<'a, const N: usize> {
+    arm: &'a dyn Moving<N>,
+    target: &'a Pose<f64>,
+    window: f64,
+    left: f64,
+    ease: [f64; 2],
+}
+
+impl<const N: usize> Search<'_, N> {
+    /// Whether the pose is reached at eight points of a straight piece.
+    fn straight(&self, from: &Joints<f64, N>, by: &Joints<f64, N>) -> bool {
+        (1..=8).all(|point| {
+            let here = moved(self.arm, from, &(by * (f64::from(point) / 8.0)));
+            missing(self.arm, &self.arm.reached(&here), self.target).1 <= self.window
+        })
+    }
+
+    /// Whether halving finds a way.
+    fn halved(&self, from: Joints<f64, N>, to: Joints<f64, N>) -> bool {
+        let arm = self.arm;
+        let short = between(arm, &from, &to).amax() * SHORT;
+        let (mut pieces, mut tried) = (vec![(from, to)], 0);
+        while let Some((from, to)) = pieces.pop() {
+            let from = self.slid(from, &to);
+            let to = self.slid(to, &from);
+            let whole = between(arm, &from, &to);
+            let length = whole.amax();
+            if length <= short && self.straight(&from, &whole) {
+                continue;
+            }
+            let middle = moved(arm, &from, &(whole * 0.5));
+            let Some(back) = self.brought_back(middle, &mut tried) else { return false };
+            if length <= short && between(arm, &middle, &back).amax() <= BENT * length {
+                continue;
+            }
+            // Beside a bend of the wrist that is nothing the middle may be farther than the ends are, but then not by much.
+            let far = |end: &Joints<f64, N>| between(arm, end, &back).amax() > 2.0 * length;
+            if tried > TRIED || far(&from) || far(&to) {
+                return false;
+            }
+            pieces.extend([(back, to), (from, back)]);
+        }
+        true
+    }
+
+    /// Nearer to other joint values, along each direction that the arm has lost.
+    fn slid(&self, mut q: Joints<f64, N>, towards: &Joints<f64, N>) -> Joints<f64, N> {
+        let (_, sizes, v) = decomposed(&jacobian(self.arm, &self.arm.at(&q).1));
+        for (size, direction) in sizes.iter().zip(v.row_iter()) {
+            let direction = direction.transpose().fixed_rows::<N>(0).into_owned();
+            let by = direction.scale(direction.dot(&between(self.arm, &q, towards)));
+            if *size <= LOST && self.straight(&q, &by) {
+                q = moved(self.arm, &q, &by);
+            }
+        }
+        q
+    }
+
+    /// Joint values near those given that reach the pose.
+    fn brought_back(&self, mut q: Joints<f64, N>, tried: &mut usize) -> Option<Joints<f64, N>> {
+        for _ in 0..STEPS {
+            *tried += 1;
+            let (pose, velocities) = self.arm.at(&q);
+            let (step, missed) = missing(self.arm, &pose, self.target);
+            if missed <= 0.5 * self.window {
+                return Some(q);
+            }
+            let enough = (self.left * step.norm()).max(0.4 * self.window);
+            let ease = Joints::<f64, N>::from_fn(|joint, _| self.ease[usize::from(2 * joint >= N)]);
+            let eased = jacobian(self.arm, &velocities) * SMatrix::from_diagonal(&ease);
+            q = moved(self.arm, &q, &mended(&eased, &step, enough).component_mul(&ease));
+        }
+        None
+    }
+}
+
+/// A Jacobian as u, its singular values and v transposed; columns of joints that are not there are nothing.
+fn decomposed<const N: usize>(jacobian: &Jacobian<f64, N>) -> (Matrix6<f64>, Vector6<f64>, Matrix6<f64>) {
+    let mut square = Matrix6::zeros();
+    square.fixed_columns_mut::<N>(0).copy_from(jacobian);
+    let SVD { u, v_t, singular_values } = square.svd(true, true);
+    (u.unwrap_or_default(), singular_values, v_t.unwrap_or_default())
+}
+
+/// The shortest step that leaves no more than `enough` of what is missed, by damped least squares. Where that cannot be had the damping
+/// is the square of what is missed, which bounds the step.
+fn mended<const N: usize>(jacobian: &Jacobian<f64, N>, step: &Vector6<f64>, enough: f64) -> Joints<f64, N> {
+    let (u, sizes, v) = decomposed(jacobian);
+    let (parts, least) = (u.tr_mul(step), step.norm_squared());
+    let left = |damping: f64| parts.zip_map(&sizes, |part, size| part * damping / (size * size + damping));
+    let mut damping = 1.0;
+    while damping > least && left(damping).norm() > enough {
+        damping *= 0.1;
+    }
+    let by = parts.zip_map(&sizes, |part, size| part * size / (size * size + damping));
+    v.tr_mul(&by).fixed_rows::<N>(0).into_owned()
+}
