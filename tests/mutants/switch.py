@@ -2,14 +2,13 @@
 """Tests a sample of changes with one build: all of them are written into a copy of the sources, and a variable says which
 one is on. `run.sh` calls it; the changes are those of cargo-mutants, word for word.
 
-  python3 switch.py ALL.json SAMPLE.txt PLAIN TREE OUT [own]
+  python3 switch.py ALL.json SAMPLE.txt PLAIN TREE OUT
 
 ALL.json      all changes, as `cargo mutants --list --json` tells them
 SAMPLE.txt    the names of those to be tried
 PLAIN         the sources
 TREE          where they are written with the changes in them; only what is not yet so is written
 OUT           where to write: caught.txt, missed.txt, unviable.txt and apart.txt, one change a line
-own           only the tests of the crate that is changed
 
 A function with changes becomes a choice between its body and the same body with one of them. A change that does not
 compile there is found by the compiler's own report, taken out, and told in unviable.txt. What cannot be told apart at run
@@ -18,22 +17,24 @@ while arms are compiled: of those in kin-gen only the tests that call it hear.
 """
 import json, os, pathlib, re, resource, signal, subprocess, sys
 
-# For each crate its own tests, which go first, and those of the `tests` member that reach what is changed in it.
+# The tests that reach what is changed in a crate, the quick and sharp ones first: its own, as `package::program`, and those of
+# the `tests` member.
 TESTS = {
-    "kin-gen": (["algebra", "kin_gen"], ["fk", "jacobian", "params", "cost", "mathml", "shoulders", "plans"]),
-    "kin-runtime": (["solvers", "kin_runtime"],
-                    ["ik", "straight", "bases", "families", "shoulders", "reliability", "batch"]),
+    "kin-gen": ["kin-gen::algebra", "kin-gen::kin_gen", "polynomial", "fk", "jacobian", "params", "cost", "mathml", "plans"],
+    "kin-runtime": ["bits", "kin-runtime::kin_runtime", "params", "rim", "straight", "general", "short", "choice", "track",
+                    "census", "closest", "watch", "ik", "batch", "folded", "reference", "families", "shoulders", "bases",
+                    "reliability"],
+}
+# What a file is about is asked before the others, as most changes do not outlive it.
+FIRST = {
+    "(general|sheaf|conic|quartic|lines|refine)": ["general"],
+    "closest": ["closest"],
+    "(short|freed)": ["short"],
+    "sphere": ["shoulders"],
+    "(track/|choice)": ["track", "census", "choice"],
 }
 # Dependencies only: all those changes make the solvers slow to optimise.
 OPTIMISED = ["--config", 'profile.dev.package."*".opt-level=1']
-# Tests of `solvers` by what they are about: asked before the others, as most changes do not outlive them.
-FIRST = {
-    "(general|sheaf|conic|quartic|lines)": ["general::"],
-    "closest": ["closest::"],
-    "short": ["short::"],
-    "(track/|choice)": ["track::", "census::", "choice::"],
-    "": ["bits_of_results::", "census::"],
-}
 SWITCH = """
 /// Which change is on.
 #[doc(hidden)]
@@ -172,28 +173,38 @@ def switched(changes, plain, tree, unviable):
             sys.exit(f"mistakes outside of every change: {wrong}")
 
 
-def program(tree, package, name):
-    """A test's program, and how long it takes with no change on."""
-    which = ["--lib"] if name == package.replace("-", "_") else ["--test", name]
-    command = ["cargo", *OPTIMISED, "test", "--offline", "-p", package, *which, "--no-run", "--message-format", "json"]
-    run = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, text=True, check=True)
-    artifacts = [json.loads(line) for line in run.stdout.splitlines()]
-    found = [a["executable"] for a in artifacts if a.get("executable") and a["target"]["name"] == name]
-    wrong, took = fails(tree, package, found[0], 0, 1800)
-    print(f"{package} {name}: {took:.1f} s", flush=True)
-    if wrong:
-        sys.exit(f"{name} fails as it is: {wrong}")
-    return found[0], took
+def programs(tree, names):
+    """The tests' programs: where each is run, its file, and how long it takes with no change on."""
+    found = {}
+    for package in sorted({name.rpartition("::")[0] or "tests" for name in names}):
+        inside = [name for name in names if (name.rpartition("::")[0] or "tests") == package]
+        targets = {name.rpartition("::")[2]: name for name in inside}
+        which = [word for target in targets
+                 for word in (["--lib"] if target == package.replace("-", "_") else ["--test", target])]
+        command = ["cargo", *OPTIMISED, "test", "--offline", "-p", package, *which, "--no-run", "--message-format", "json"]
+        run = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, text=True)
+        messages = [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]
+        if run.returncode:
+            sys.exit("".join((m.get("message") or {}).get("rendered") or "" for m in messages))
+        for message in messages:
+            name = targets.get(message["target"]["name"]) if message.get("executable") else None
+            if name:
+                wrong, took = fails(tree / package, message["executable"], 0, 1800)
+                print(f"{name}: {took:.1f} s", flush=True)
+                if wrong:
+                    sys.exit(f"{name} fails as it is: {wrong}")
+                found[name] = (tree / package, message["executable"], took)
+    return found
 
 
-def fails(tree, package, program, change, limit, filters=()):
+def fails(folder, program, change, limit):
     """The first test that fails with the change on, "endless" after so many seconds of the processor, or None; and how many
     it took."""
     used = lambda: resource.getrusage(resource.RUSAGE_CHILDREN)
     before = used()
     # Not by the clock, which says nothing on a machine that others use too.
     bounded = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-    run = subprocess.Popen([program, *filters], cwd=tree / package, env={**os.environ, "CHANGE": str(change)},
+    run = subprocess.Popen([program], cwd=folder, env={**os.environ, "CHANGE": str(change)},
                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=bounded)
     wrong = None
     for line in run.stdout:
@@ -209,22 +220,25 @@ def fails(tree, package, program, change, limit, filters=()):
     return wrong, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def trial(tree, package, names, changes, caught):
+def trial(tree, names, changes, caught):
     """Those changes that none of the tests sees; what others see goes to the file."""
     told = {line.split("\t")[0] for line in pathlib.Path(caught.name).read_text().splitlines()}
     left = {n: change for n, change in changes.items() if change["name"] not in told}
-    for name in names if left else []:
-        path, took = program(tree, package, name)
-        limit = int(20 + 10 * took)
-        for number, change in list(left.items()):
-            first = next(filters for part, filters in FIRST.items() if re.search(part, change["file"]))
-            wrong = name == "solvers" and fails(tree, package, path, number, limit, first)[0]
-            wrong = wrong or fails(tree, package, path, number, limit)[0]
+    missed, found = {}, programs(tree, names) if left else {}
+    for done, (number, change) in enumerate(left.items(), 1):
+        first = [name for part, about in FIRST.items() if re.search(part, change["file"]) for name in about]
+        order = sorted(found, key=lambda name: (name != names[0], name not in first, names.index(name)))
+        for name in order:
+            folder, path, took = found[name]
+            wrong = fails(folder, path, number, int(20 + 10 * took))[0]
             if wrong:
                 print(f"{change['name']}\t{name}::{wrong}", file=caught, flush=True)
-                del left[number]
-        print(f"{package} {name}: {len(left)} of {len(changes)} left", flush=True)
-    return left
+                break
+        else:
+            missed[number] = change
+            print(f"not caught: {change['name']}", flush=True)
+        print(f"\r{done} of {len(left)}, {len(missed)} not caught", end="\n" if done == len(left) else "", file=sys.stderr)
+    return missed
 
 
 def main():
@@ -242,12 +256,8 @@ def main():
     print(f"{len(built)} are built in", flush=True)
     missed = {}
     with (out / "caught.txt").open("a") as caught:
-        for package, (own, others) in TESTS.items():
-            left = {n: change for n, change in built.items() if change["package"] == package}
-            left = trial(tree, package, own, left, caught)
-            if "own" not in sys.argv[6:]:
-                left = trial(tree, "tests", others, left, caught)
-            missed |= left
+        for package, names in TESTS.items():
+            missed |= trial(tree, names, {n: c for n, c in built.items() if c["package"] == package}, caught)
     tell("missed.txt", [change["name"] for change in missed.values()])
 
 
