@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use kin_runtime::prelude::*;
 use kin_runtime::{JointKind, dexterity, math};
-use tests::invented::{ScaraFolding, SlidingRrprr};
+use tests::invented::{RollRrrrr, ScaraFolding, SlidingRrprr};
 use tests::reliability::subject::Bits;
 use tests::sample::Sampler;
 
@@ -143,4 +143,55 @@ fn arms_folded_onto_their_axes_come_back() {
 fn arms_folded_onto_axis_2_beside_axis_1_come_back() {
     both(&Beside, (2, PI), true, 9);
     both(&SlidingRrprr, (2, 0.0), false, 11);
+}
+
+/// Found by the program `reliability`: the quill beside axis 1 by less than the square of a distance tells, by more than a free joint may
+/// miss. Far out, it is compared with more.
+#[test]
+fn a_quill_next_to_axis_1_is_told_apart_from_one_on_it() {
+    let mut random = Sampler::new(73);
+    for _ in 0..POSES {
+        let beside = 10_f64.powf(random.between(-14.5, -12.5)) * [1.0, -1.0][random.below(2)];
+        let [first, last, ..] = random.angles::<6>();
+        let q = joints![first, PI + beside, random.between(-2.0, 2.0), last];
+        let pose = ScaraFolding.fk(&q);
+        let solutions = ScaraFolding.ik(&pose);
+        assert!(!solutions.is_empty(), "{q}");
+        for solution in solutions.iter() {
+            let missed = missed(&ScaraFolding, &solution.q, &pose) / f64::EPSILON;
+            assert!(missed <= 64.0, "{missed} ε at {q}\n{solutions}");
+            if solution.is_isolated() {
+                assert!(missed <= 16.0, "{missed} ε at {q}\n{solutions}");
+            }
+        }
+        // Where the place tells joint 1 to within a hundredth, both ways are there.
+        if beside.abs() > 1e-13 {
+            let near = |turn: f64| {
+                solutions.iter().any(|s| math::wrap(s.q[0] - first - turn).abs() < 1e-2 && s.is_isolated())
+            };
+            assert!(near(0.0) && near(PI), "{q}\n{solutions}");
+        }
+    }
+}
+
+/// Found by the program `reliability`: folded beside axis 1, where a direction of the joints is all but lost; a step in it must not stop
+/// the others.
+#[test]
+fn links_folded_beside_axis_1_come_back_on_either_side() {
+    let found = [
+        joints![
+            -1.571_796_326_794_896_4,
+            3.143_369_789_254_624,
+            3.142_814_380_258_221_4,
+            2.380_071,
+            0.581_651
+        ],
+        joints![1.286_835, 3.143_116_422_197_008_5, 3.142_592_653_589_793, 2.521_756_3, 3.097_197_4],
+    ];
+    for q in found {
+        let pose = RollRrrrr.fk(&q);
+        let solutions = RollRrrrr.ik(&pose);
+        let near = solutions.iter().map(|s| apart(&RollRrrrr, &s.q, &q)).fold(f64::INFINITY, f64::min);
+        assert!(near <= 1e-9 && solutions.len() == 4, "{near:e}: {q}\n{solutions}");
+    }
 }

@@ -280,6 +280,14 @@ impl<T: Float> Sized<T> {
         view.circle(less(self.carried, arm), x, cross(axis.direction, x), radius)
     }
 
+    /// Whether the point is so near axis 1 that next to nothing is known of joint 1, and not so near that it is free: all its values
+    /// lead to the point within what a way may miss.
+    fn is_beside_first(&self) -> bool {
+        let [first, ..] = &self.axes;
+        let (least, most) = (T::lit(ACCEPTED * 0.25) * T::EPS, T::lit(SLACK) * math::sqrt(T::EPS));
+        !first.slides && self.radius > least && self.radius <= most
+    }
+
     /// Joint 2, then all three refined. The error is by how much the point is missed.
     fn settled(
         &self,
@@ -289,12 +297,21 @@ impl<T: Float> Sized<T> {
         window: T,
     ) -> Result<([T; 3], Settled<T>), T> {
         let [first, second, third] = &self.axes;
-        let way = self.beside_second(way, posture.shoulder == Shoulder::Right);
+        let mut way = self.beside_second(way, posture.shoulder == Shoulder::Right);
+        let beside_first = way.free && self.is_beside_first();
+        if beside_first {
+            (way.first, way.free) = (T::lit(0.0), false);
+        }
         let from = third.moved(self.carried, way.third);
         let to = first.moved(self.point, -way.first);
         let (arm, goal) = (second.arm(from), second.arm(to));
         let turned = || math::atan2(dot(&second.direction, &cross(arm, goal)), dot(&arm, &goal));
         let value = if second.slides { dot(&second.direction, &less(to, from)) } else { turned() };
+        if beside_first {
+            // The conics know the square of a distance, to which joint 1 adds less than round-off; to the place it adds more.
+            let opposite = if posture.shoulder == Shoulder::Left { math::half_turn() } else { T::lit(0.0) };
+            way.first = self.facing([way.first, value, way.third]) + opposite;
+        }
         let far = way.open
             && largest(less(second.moved(from, value), to)) > T::lit(SLACK * SLACK) * math::sqrt(T::EPS);
         let (mut values, mut stance) = self.refined(

@@ -67,6 +67,14 @@ impl<T: Float> Sized<T> {
         way
     }
 
+    /// The angle by which joint 1 still turns the carried point to the side of axis 1 on which the point to be reached lies.
+    pub(super) fn facing(&self, [v1, v2, v3]: [T; 3]) -> T {
+        let [first, second, third] = &self.axes;
+        let carried = second.moved(third.moved(self.carried, v3), v2);
+        let (from, to) = (first.arm(carried), first.arm(first.moved(self.point, -v1)));
+        math::atan2(dot(&first.direction, &cross(from, to)), dot(&from, &to))
+    }
+
     /// Figure values brought nearer to the point, as long as a step brings them nearer. Beside a double root the damped step is
     /// short, so that where it does little the undamped one is tried too, and steps along the direction that is lost.
     pub(super) fn refined(

@@ -60,7 +60,7 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
         let size = product(&error, &error);
         // A step that does not halve what is missed has been lost in rounding.
         let step = if size < least * T::lit(0.25) {
-            least_squares(&jacobian.data.0, error)
+            least_squares(&jacobian.data.0, error, size)
         } else {
             vain += usize::from(size > T::EPS);
             if vain > VAIN {
@@ -89,16 +89,19 @@ pub(crate) fn improved<T: Float, const N: usize, A: Arm<N>>(
             break;
         }
         let (at, jacobian) = arm.fk_jacobian(&q);
-        let step = least_squares(&scaled(&jacobian, reach).data.0, error(&target.pose, &at, reach));
-        let mut next = pose::entries(&q);
-        add(&mut next, &step, T::lit(1.0));
-        let next = given_out(next, &A::JOINTS);
-        let missed = target.missed_by(&arm.fk(&next));
-        if missed < residual {
-            (q, residual) = (next, missed);
-        } else {
-            break;
-        }
+        let (jacobian, error) = (scaled(&jacobian, reach), error(&target.pose, &at, reach));
+        let size = product(&error, &error);
+        // Along a direction that is lost, rounding alone asks for a step from which the others do not recover: the heavier damping
+        // leaves it out.
+        let nearer = [size, math::sqrt(size)].into_iter().find_map(|damping| {
+            let mut next = pose::entries(&q);
+            add(&mut next, &least_squares(&jacobian.data.0, error, damping), T::lit(1.0));
+            let next = given_out(next, &A::JOINTS);
+            let missed = target.missed_by(&arm.fk(&next));
+            (missed < residual).then_some((next, missed))
+        });
+        let Some(nearer) = nearer else { break };
+        (q, residual) = nearer;
     }
     (q, residual)
 }
@@ -130,9 +133,8 @@ fn along_directions<T: Float, const N: usize>(jacobian: &Jacobian<T, N>, error: 
 }
 
 /// The damped least-squares solution for a matrix given by columns, by conjugate gradients.
-fn least_squares<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6]) -> [T; N] {
+fn least_squares<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6], damping: T) -> [T; N] {
     let zero = T::lit(0.0);
-    let damping = product(&error, &error);
     let (mut x, mut rest) = ([zero; N], error);
     let mut slope = columns.map(|column| product(&column, &rest));
     let mut direction = slope;
