@@ -5,8 +5,8 @@
 #
 # Needs cargo-mutants (`cargo install cargo-mutants --version 27.1.0`) and Python. The changes are those of cargo-mutants. To build
 # every arm again for each of them would take days, so switch.py writes all of them into one copy of the sources, and a
-# variable says which is on. Each is given to the tests that can reach it, one program after the other. Prints how many were caught of those that compile, and those that were not; survivors.md says
-# why of each. Run again it goes on where it was ended.
+# variable says which is on. Each is given to the tests that can reach it, one program after the other. Prints how many were
+# caught of those that compile, and those that were not; survivors.md says why of each. Run again it goes on where it was ended.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
