@@ -62,7 +62,7 @@ size_of() {
 
 # Stack, mean and largest number of instructions of each task.
 run() {
-    timeout 900 qemu-system-arm -machine "$1" -nographic -icount shift=0 -semihosting-config \
+    timeout 1800 qemu-system-arm -machine "$1" -nographic -icount shift=0 -semihosting-config \
         enable=on,target=native -kernel "$2/figures" || refused "qemu-system-arm -machine $1"
 }
 
