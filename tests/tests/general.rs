@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use kin_runtime::math;
 use kin_runtime::prelude::*;
-use tests::invented::{Meeting, ParallelA, PrrA, Skew, Sliding, Square};
+use tests::invented::{Meeting, ParallelA, ParallelB, PrrA, Skew, Sliding, Square};
 use tests::sample::Sampler;
 
 fn slides<A: Arm<6>>(joint: usize) -> bool {
@@ -473,5 +473,33 @@ fn an_arm_without_a_size_is_measured_in_its_unit() {
         let solutions = Frameless.ik_position(&point);
         let solution = solutions.iter().next().unwrap_or_else(|| panic!("{q}\n{solutions}"));
         assert!(solutions.len() == 1 && (solution.q - q).amax() <= 8.0 * f64::EPSILON * size.max(1.0));
+    }
+}
+
+/// Found by the program `reliability`: the wrist centre so near axis 1 that joint 1 hardly moves it, the base at a double root.
+#[test]
+fn beside_axis_1_joint_1_is_told_by_the_place() {
+    let found = [
+        [
+            0xc007_baee_e3d4_0f39,
+            0xbfe0_2ce4_bd4e_bc8c,
+            0xc007_7ad0_04ba_0472,
+            0x3ff0_2f10_63ae_4ac0,
+            0x4009_21fb_5444_2d18,
+            0xc002_00fe_cbdc_1680,
+        ],
+        [
+            0x3fff_017f_ffa0_7994,
+            0xbfe0_2ce4_bd4e_bc8c,
+            0xc007_7ad0_04ba_0467,
+            0xbff2_b79f_1368_699d,
+            0xbff3_e3d9_c030_15bf,
+            0xc007_bc12_1977_3808,
+        ],
+    ];
+    for q in found.map(|q| Joints::from(q.map(f64::from_bits))) {
+        let solutions = ParallelB.ik(&ParallelB.fk(&q));
+        let worst = solutions.iter().map(|solution| solution.residual).fold(0.0, f64::max) / f64::EPSILON;
+        assert!(!solutions.is_empty() && worst <= 8.0, "{worst} ε at {q}\n{solutions}");
     }
 }

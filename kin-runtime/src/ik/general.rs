@@ -282,7 +282,7 @@ impl<T: Float> Sized<T> {
 
     /// Whether the point is so near axis 1 that next to nothing is known of joint 1, and not so near that it is free: all its values
     /// lead to the point within what a way may miss.
-    fn is_beside_first(&self) -> bool {
+    pub(super) fn is_beside_first(&self) -> bool {
         let [first, ..] = &self.axes;
         let (least, most) = (T::lit(ACCEPTED * 0.25) * T::EPS, T::lit(SLACK) * math::sqrt(T::EPS));
         !first.slides && self.radius > least && self.radius <= most

@@ -84,6 +84,8 @@ impl<T: Float> Sized<T> {
         steps: usize,
     ) -> ([T; 3], Stance<T>) {
         let (mut stance, mut sought) = (self.stance(values, free), 0);
+        // There what moves the point so little is lost to steps that move it at all.
+        let beside_first = !free && self.is_beside_first();
         for _ in 0..steps {
             let miss = largest(stance.missed);
             if miss <= T::EPS {
@@ -103,6 +105,9 @@ impl<T: Float> Sized<T> {
                     }
                 };
                 stance.undamped().into_iter().for_each(&mut tried);
+                if beside_first {
+                    tried([self.facing(values), T::lit(0.0), T::lit(0.0)]);
+                }
                 // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
                 if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
                     sought += 1;
