@@ -6,7 +6,8 @@ use std::path::PathBuf;
 
 use indicatif::ProgressBar;
 use kin_runtime::prelude::*;
-use kin_runtime::singularity;
+use kin_runtime::private::SolveWrist;
+use kin_runtime::{Base, singularity};
 use tests::reliability::parts::{OPEN, Part, parts};
 use tests::reliability::report;
 use tests::reliability::run::{Order, State, run};
@@ -163,4 +164,18 @@ fn each_shoulder_has_its_own_folded_elbow() {
     let solutions = robots::Puma560.ik(&robots::Puma560.fk(&q));
     let arms = [-0.255, -2.886].map(|arm| solutions.iter().filter(|s| (s.q[1] - arm).abs() < 1e-2).count());
     assert_eq!(arms, [2, 2], "{solutions}");
+}
+
+/// The same boundary away from there: stretched for one shoulder, a pose is out of the other's reach, and that is what its slots say.
+#[test]
+fn a_stretched_elbow_is_the_solution_of_one_shoulder() {
+    let arm = robots::Irb2400;
+    let Base::<f64>::Elbow(base) = SolveWrist::base(&arm) else { panic!("two links in a plane") };
+    assert!(!base.reversed[2]);
+    for second in [0.5, 1.0, 1.5, 2.0, 2.5] {
+        let q = Joints::from(arm.command([0.3, second, -base.offset[2], 0.5, 0.6, 0.7]));
+        let solutions = arm.ik(&arm.fk(&q));
+        let empty = solutions.slots().iter().filter(|slot| matches!(slot, Slot::Empty(_))).count();
+        assert_eq!(empty, 4, "{solutions}");
+    }
 }

@@ -223,7 +223,7 @@ impl<T: Float> Stand<T> {
     }
 
     /// The plane in which the wrist centre lies on the boundary circle of the second figure, if that is within
-    /// round-off of the circle about axis 1. Where it lies so on either side of the foot of axis 2, each shoulder has its own.
+    /// round-off of the circle about axis 1. Where it lies so on both sides of the foot of axis 2, each shoulder has its own.
     fn nudged(
         &self,
         plane: &Plane<T>,
@@ -236,9 +236,13 @@ impl<T: Float> Stand<T> {
             return None;
         }
         let x = math::sqrt_or_zero((boundary - sight.v) * (boundary + sight.v));
-        let first = if side == Shoulder::Right { x } else { -x };
-        let off = |along: T| math::abs(math::hypot(along, sight.across) - sight.radius);
-        let along = [self.a1 + first, self.a1 - first].into_iter().find(|along| off(*along) <= window)?;
+        let off = |x: T| math::abs(math::hypot(self.a1 + x, sight.across) - sight.radius);
+        let near = if plane.x < T::lit(0.0) { -x } else { x };
+        if off(near) > window {
+            return None;
+        }
+        let own = if side == Shoulder::Right { x } else { -x };
+        let along = self.a1 + if off(-near) <= window { own } else { near };
         Some(self.turned(sight, along))
     }
 
