@@ -20,7 +20,7 @@ import json, os, pathlib, re, resource, signal, subprocess, sys
 # The tests that reach what is changed in a crate, the quick and sharp ones first: its own, as `package::program`, and those of
 # the `tests` member.
 TESTS = {
-    "kin-gen": ["kin-gen::algebra", "kin-gen::kin_gen", "polynomial", "fk", "jacobian", "params", "cost", "mathml", "plans"],
+    "kin-gen": ["kin-gen::algebra", "kin-gen::kin_gen", "polynomial", "fk", "jacobian", "params", "cost", "mathml"],
     "kin-runtime": ["bits", "kin-runtime::kin_runtime", "params", "rim", "straight", "general", "short", "choice", "track",
                     "census", "closest", "watch", "ik", "batch", "folded", "reference", "families", "shoulders", "bases",
                     "reliability"],
