@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use kin_runtime::prelude::*;
 use kin_runtime::private::SolveWrist;
 use kin_runtime::{JointKind, Singularity, Wrist};
+use tests::reliability::aim::Sights;
 use tests::reliability::subject::{ByPose, Subject, Tried};
 use tests::sample::Sampler;
 use tests::skew::Skew;
@@ -24,6 +25,7 @@ enum Stands {
 /// Row values with a wrist that is exactly straight.
 fn straight<A: SolveWrist<6> + InverseKinematics<6>>(
     arm: &Tried<A, ByPose>,
+    sights: &Sights,
     stands: Stands,
     random: &mut Sampler,
 ) -> Joints<f64, 6> {
@@ -33,7 +35,6 @@ fn straight<A: SolveWrist<6> + InverseKinematics<6>>(
     else {
         panic!("{}: the wrist is bent by one radian", A::NAME);
     };
-    let sights = arm.sights();
     let exact = |margin: Option<f64>, unit: f64| margin.is_none_or(|x| x > 1e-3 * unit || x < 1e-16 * unit);
     loop {
         let mut rows = sights.row_values(random);
@@ -71,10 +72,14 @@ fn is_there<A: SolveWrist<6> + InverseKinematics<6>>(
 
 fn none_is_missed<A: SolveWrist<6> + InverseKinematics<6>>(arm: A) {
     let arm = Tried(arm, ByPose);
-    for stands in [Stands::Anywhere, Stands::OnTheSet] {
+    // On a general base nothing is exactly on the set: its determinant is as small as its rounding lets it.
+    let sights = arm.sights();
+    let planar = sights.kinds().contains(&"elbow");
+    let stands = if planar { &[Stands::Anywhere, Stands::OnTheSet][..] } else { &[Stands::Anywhere] };
+    for &stands in stands {
         let mut random = Sampler::new(41);
         for _ in 0..POSES {
-            let q = straight(&arm, stands, &mut random);
+            let q = straight(&arm, &sights, stands, &mut random);
             let target = arm.fk(&q);
             let back = arm.0.ik_holding(&target, &q);
             assert!(
