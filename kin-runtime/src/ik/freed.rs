@@ -70,11 +70,6 @@ fn with<T: Copy>(mut rows: [T; 3], index: usize, value: T) -> [T; 3] {
     rows
 }
 
-/// Nothing is free.
-pub(super) fn nothing<const N: usize>() -> Free<N> {
-    Free { shoulder: None, elbow: None, wrist: None }
-}
-
 impl<T: Float, A> Task<'_, T, A> {
     /// Row values of the joints that carry the point, those of the free ones as the orientation asks for them; and what it leaves
     /// free all the same.
@@ -89,7 +84,7 @@ impl<T: Float, A> Task<'_, T, A> {
     {
         let down = posture.elbow == Elbow::Down;
         match free {
-            [false, false] => (rows, nothing()),
+            [false, false] => (rows, Free::NOTHING),
             [false, true] => self.either(1, down, rows),
             [true, false] if A::CARRIERS == 3 => self.either(0, posture.shoulder == Shoulder::Left, rows),
             [true, false] => self.either(0, down, rows),
@@ -122,7 +117,7 @@ impl<T: Float, A> Task<'_, T, A> {
         if fit.is_flat() {
             return (rows, self.family(index, rows, |value| with(rows, index, value)));
         }
-        (with(rows, index, self.fitting(&fit, far)), nothing())
+        (with(rows, index, self.fitting(&fit, far)), Free::NOTHING)
     }
 
     /// Joints 1 and 2.

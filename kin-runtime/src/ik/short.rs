@@ -9,7 +9,6 @@
 //! `freed`.
 
 use crate::ik::base::Placed;
-use crate::ik::freed::nothing;
 use crate::ik::general::SLACK;
 use crate::ik::settle::{improved, settle};
 use crate::ik::target::{Target, distance};
@@ -163,7 +162,7 @@ impl<T: Float, A> Task<'_, T, A> {
         let own = self.attempt(base, left);
         let best = match self.carrier.beside(placed, self.target.scale) {
             [false, false] => own,
-            _ if own.reaches() && own.free != nothing() => own,
+            _ if own.reaches() && own.free != Free::NOTHING => own,
             beside => self.beside(posture, rows, beside, own),
         };
         let Attempt { q, missed, free, read, .. } = best;
@@ -193,7 +192,7 @@ impl<T: Float, A> Task<'_, T, A> {
     {
         for free in [[first, second], [false, second], [first, false]] {
             let (base, left) = self.oriented(posture, rows, free);
-            if free != [false; 2] && left == nothing() {
+            if free != [false; 2] && left == Free::NOTHING {
                 let told = self.attempt(base, left);
                 if told.reaches() {
                     return told;
@@ -211,8 +210,8 @@ impl<T: Float, A> Task<'_, T, A> {
                 let side = if opposite { half + quarter } else { quarter };
                 if beside { math::wrap(t + side) } else { t }
             };
-            let aside =
-                self.attempt([turned(t1, first, opposite1), turned(t2, second, opposite2), t3], nothing());
+            let aside = self
+                .attempt([turned(t1, first, opposite1), turned(t2, second, opposite2), t3], Free::NOTHING);
             if aside.reaches() {
                 return aside;
             }
@@ -240,7 +239,7 @@ impl<T: Float, A> Task<'_, T, A> {
                 && settled < missed
             {
                 let q = given_out(pose::entries(&q), &A::JOINTS);
-                return Attempt { q, missed: settled, free: nothing(), read, strayed: true };
+                return Attempt { q, missed: settled, free: Free::NOTHING, read, strayed: true };
             }
         }
         Attempt { q, missed, free, read, strayed: false }

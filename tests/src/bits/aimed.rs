@@ -21,8 +21,7 @@ const BARE: Aims = [(Factor::Elbow, 2), (Factor::Shoulder, 1), (Factor::Base, 1)
 
 /// Any value, in radians or a few units of length.
 fn any<const N: usize>(random: &mut Random) -> Joints<f64, N> {
-    let values = core::array::from_fn(|_| random.unit() * core::f64::consts::PI);
-    Joints::from_array_storage(kin_runtime::private::joints(values).data)
+    kin_runtime::private::joints(core::array::from_fn(|_| random.unit() * core::f64::consts::PI))
 }
 
 /// Moves one joint to where the factor changes its sign, and from there by ±10⁻ᵏ or not at all; nothing if it does not change.

@@ -135,7 +135,7 @@ impl Random {
                 () => core::f64::consts::FRAC_PI_2 + near * 1e-14,
             }
         };
-        Joints::from_array_storage(kin_runtime::private::joints(core::array::from_fn(|_| value())).data)
+        kin_runtime::private::joints(core::array::from_fn(|_| value()))
     }
 }
 
