@@ -12,17 +12,17 @@ use crate::pose::{self, Jacobian, Joints, Pose};
 use crate::solutions::{ArmPosture, Branch, Elbow, Shoulder};
 use nalgebra::{ArrayStorage, Matrix3, Point3, SMatrix};
 
-/// What the solver knows of an angle of forward kinematics before it is taken.
+/// What the solver knows of an angle of a program before its sine and cosine are taken.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Known {
     /// It is the angle of `wrist_turns` with this number.
     Wrist(usize),
-    /// The first three joints alone make it: it is the same for both bends of the wrist.
-    Base,
-    /// It is the value of joint 4 or of joint 6.
-    Outer,
-    /// It is the value of joint 5.
-    Bend,
+    /// It is the row value of this joint.
+    Row(usize),
+    /// It is the sum of the row values of these joints.
+    Sum(usize, usize),
+    /// It is the row value of the first of these joints less that of the second.
+    Difference(usize, usize),
     /// Nothing.
     Nothing,
 }
@@ -46,6 +46,8 @@ pub trait SolveWrist<const N: usize>: SphericalWrist<N> {
     const COUPLED: bool = true;
     /// How many angles [`wrist_rotation`](SolveWrist::wrist_rotation) takes the sines and cosines of.
     const WRIST_TURNS: usize = 0;
+    /// What is already known of them once the first three joints are set.
+    const WRIST_KNOWN: [Known; 8] = [Known::Nothing; 8];
     /// How many forward kinematics does.
     const FK_TURNS: usize = 0;
     /// What is already known of the turns of forward kinematics once the wrist is solved.

@@ -143,6 +143,39 @@ fn single_precision_round_trips() {
     single_precision(&robots::Anthropomorphic, &mut sampler);
 }
 
+/// By how many ε at most a residual differs from what forward kinematics of the joint values misses.
+fn misjudged<A: InverseKinematics<6>>(arm: &A, sampler: &mut Sampler) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..500 {
+        let pose = arm.fk(&Joints::from(sampler.angles::<6>()));
+        let scale = pose.translation.vector.amax().max(arm.reach());
+        for s in arm.ik(&pose).iter() {
+            let back = arm.fk(&s.q);
+            let position = (back.translation.vector - pose.translation.vector).amax() / scale;
+            let missed = position.max((back.rotation.matrix() - pose.rotation.matrix()).amax());
+            worst = worst.max((s.residual - missed).abs());
+        }
+    }
+    worst / f64::EPSILON
+}
+
+/// Far from singular poses it is made with sines that were not taken of the joint values.
+#[test]
+fn residuals_are_those_of_forward_kinematics() {
+    let mut sampler = Sampler::new(12);
+    for worst in [
+        misjudged(&robots::Irb2400, &mut sampler),
+        misjudged(&robots::Puma560, &mut sampler),
+        misjudged(&robots::LabArm, &mut sampler),
+        misjudged(&robots::Kr16, &mut sampler),
+        misjudged(&robots::Rv4fr, &mut sampler),
+        misjudged(&robots::Anthropomorphic, &mut sampler),
+        misjudged(&robots::ElbowWrist, &mut sampler),
+    ] {
+        assert!(worst < 6.0, "{worst} ε");
+    }
+}
+
 #[test]
 fn slots_keep_their_branch_from_pose_to_pose() {
     let mut sampler = Sampler::new(7);

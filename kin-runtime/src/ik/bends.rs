@@ -1,11 +1,12 @@
 //! Both bends of an orthogonal wrist over a placement of the base, and forward kinematics of what comes out; without a branch,
-//! so that a loop over placements or poses becomes one over vectors ([`wrists`](crate::ik::wrists)).
+//! so that a loop over placements or poses becomes one over vectors ([`placements`](crate::ik::placements)).
 //!
-//! A sine is taken once for all that need it: the wrist's matrix and forward kinematics of both bends turn by the same first
-//! joints, the bend itself only changes its sign, and its outer angles go to the other side.
+//! No sine is taken that is known: joint values come with theirs ([`figure`](crate::ik::figure)), and the wrist's matrix and forward
+//! kinematics of both bends turn by the same first joints.
 
+use crate::ik::figure::{Figure, Row, Zero, values};
 use crate::ik::given_out;
-use crate::ik::wrist::{Rows, straight_row_value};
+use crate::ik::wrist::Rows;
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Known, SolveWrist};
@@ -19,7 +20,7 @@ pub(super) struct Turned<T> {
 impl<T: Float> Turned<T> {
     /// Of the first `count` angles, those that are `known` from there.
     #[inline(always)]
-    fn new(angles: [T; 8], count: usize, known: impl Fn(usize, T) -> Option<[T; 2]>) -> Self {
+    fn new(angles: [T; 8], count: usize, known: impl Fn(usize) -> Option<[T; 2]>) -> Self {
         let [a, b, c, d, e, f, g, h] = angles;
         let ([sa, ca], [sb, cb]) = (taken(0, a, count, &known), taken(1, b, count, &known));
         let ([sc, cc], [sd, cd]) = (taken(2, c, count, &known), taken(3, d, count, &known));
@@ -33,40 +34,32 @@ impl<T: Float> Turned<T> {
     fn of(&self, index: usize) -> Option<[T; 2]> {
         Some([*self.sines.get(index)?, *self.cosines.get(index)?])
     }
-
-    /// Sine and cosine of an angle that is half a turn from one of these, whose own angle is `known`, but for round-off. Of any
-    /// other they would be so far off that forward kinematics misses the pose.
-    #[inline(always)]
-    fn across(&self, index: usize, known: T, angle: T) -> Option<[T; 2]> {
-        let [sine, cosine] = self.of(index)?;
-        // What the difference is besides half a turn, exactly but for one rounding of next to nothing.
-        let by = angle - known;
-        let back = by - angle;
-        let lost = (angle - (by - back)) - (known + back);
-        let (half, rest) = (math::half_turn::<T>(), T::TURN.1 * T::lit(0.5));
-        let sign = if by > T::lit(0.0) { T::lit(1.0) } else { T::lit(-1.0) };
-        let over = ((by - sign * half) + lost) - sign * rest;
-        Some([-(sine + cosine * over), sine * over - cosine])
-    }
 }
 
-/// Sine and cosine of one of so many angles, if it is not known from elsewhere.
+/// Sine and cosine of one of so many angles.
 #[inline(always)]
-fn taken<T: Float>(
-    index: usize,
-    angle: T,
-    count: usize,
-    known: &impl Fn(usize, T) -> Option<[T; 2]>,
-) -> [T; 2] {
+fn taken<T: Float>(index: usize, angle: T, count: usize, known: &impl Fn(usize) -> Option<[T; 2]>) -> [T; 2] {
     if index >= count {
         // The zero that compilers know to change no sum.
         return [T::lit(-0.0); 2];
     }
-    if let Some(known) = known(index, angle) {
+    if let Some(known) = known(index) {
         return known;
     }
     let (sine, cosine) = T::sin_cos_straight(angle);
     [sine, cosine]
+}
+
+/// Sine and cosine of a turn of which this is known, once these row values are.
+#[inline(always)]
+fn known<T: Float>(what: Option<&Known>, rows: &[Row<T>]) -> Option<[T; 2]> {
+    let row = match *what? {
+        Known::Row(joint) => *rows.get(joint)?,
+        Known::Sum(joint, other) => rows.get(joint)?.plus(*rows.get(other)?),
+        Known::Difference(joint, other) => rows.get(joint)?.plus(rows.get(other)?.negated()),
+        Known::Wrist(_) | Known::Nothing => return None,
+    };
+    Some([row.sine, row.cosine])
 }
 
 /// What the wrist must turn over a placement.
@@ -78,33 +71,26 @@ pub(super) struct Aimed<T> {
 }
 
 impl<T: Float> Aimed<T> {
-    /// `first` are sine and cosine of joint 1, which the wrist may turn by too.
+    /// Over the placement with these row values.
     #[inline(always)]
-    pub(super) fn new<A: SolveWrist<6>>(arm: &A, pose: &Pose<T>, rows: [T; 3], first: [T; 2]) -> Self {
-        let [t1, ..] = rows;
+    pub(super) fn new<A: SolveWrist<6>>(arm: &A, pose: &Pose<T>, rows: &[Row<T>; 3]) -> Self {
+        let of = values(rows);
         let turned = Turned::new(
-            arm.wrist_turns(rows),
+            arm.wrist_turns(of),
             A::WRIST_TURNS,
             #[inline(always)]
-            |index, angle| (index == 0 && is_known_as(angle, t1)).then_some(first),
+            |index| known(A::WRIST_KNOWN.get(index), rows),
         );
-        let matrix = arm.wrist_matrix(&arm.wrist_turned(rows, pose, &turned.sines, &turned.cosines));
+        let matrix = arm.wrist_matrix(&arm.wrist_turned(of, pose, &turned.sines, &turned.cosines));
         let [[_, _, m13], [_, _, m23], _] = matrix;
         Aimed { sine: math::sqrt(m13 * m13 + m23 * m23), turned, matrix }
     }
 }
 
-/// Whether two angles are the same. And not `==`, which compilers know of one number only where it is known not to be NaN.
-#[inline(always)]
-fn is_known_as<T: Float>(a: T, b: T) -> bool {
-    let (less, greater) = (a < b, a > b);
-    !(less | greater)
-}
-
 /// The row values of an orthogonal wrist, and its bend's distance from straight.
 pub(super) struct Angles<T> {
-    pub(super) noflip: [T; 3],
-    pub(super) flip: [T; 3],
+    pub(super) noflip: [Row<T>; 3],
+    pub(super) flip: [Row<T>; 3],
     pub(super) margin: T,
 }
 
@@ -113,17 +99,17 @@ impl<T: Float> Angles<T> {
     #[inline(always)]
     pub(super) fn new(aimed: &Aimed<T>, offsets: &Rows<T>) -> Self {
         let ([[m11, m12, m13], [m21, m22, m23], [_, _, m33]], sine) = (aimed.matrix, aimed.sine);
-        let a = T::atan2_straight(m23, m13);
-        let b = T::atan2_straight(sine, m33);
-        let c = T::atan2_straight(m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
-        let half = math::half_turn::<T>();
-        let turn = |angle: T| angle - if angle > T::lit(0.0) { half } else { -half };
+        let per = T::lit(1.0) / sine;
+        // The matrix is a rotation: its third column has length 1, and the last direction that of its part beside the axis.
+        let (a, b) = (Figure::of([m23, m13], per), Figure::above([sine, m33]));
+        let c = Figure::of([m13 * m21 - m23 * m11, m13 * m22 - m23 * m12], per).unit();
         let ([oa, ob, oc], [ra, rb, rc]) = (offsets.offset, offsets.reversed);
-        let row = |a, b, c| {
-            [straight_row_value(a, oa, ra), straight_row_value(b, ob, rb), straight_row_value(c, oc, rc)]
-        };
-        let (noflip, flip) = (row(a, b, c), row(turn(a), -b, turn(c)));
-        Angles { noflip, flip, margin: math::min(b, half - b) }
+        let (first, bend, last) = (Zero::new(oa, ra), Zero::new(ob, rb), Zero::new(oc, rc));
+        let bent = b.row(&bend);
+        let bowed = if bend.is_none() { bent.negated() } else { b.negated().row(&bend) };
+        let noflip = [a.row(&first), bent, c.row(&last)];
+        let flip = [a.opposite().row(&first), bowed, c.opposite().row(&last)];
+        Angles { noflip, flip, margin: math::min(b.angle, math::half_turn::<T>() - b.angle) }
     }
 }
 
@@ -134,41 +120,38 @@ pub(super) fn residuals<T: Float, A: SolveWrist<6>>(
     arm: &A,
     pose: &Pose<T>,
     per_scale: T,
-    [t1, t2, t3]: [T; 3],
-    aimed: &Aimed<T>,
+    base: &[Row<T>; 3],
+    turned: &Turned<T>,
     angles: &Angles<T>,
 ) -> [T; 2] {
-    let ([n4, n5, n6], [f4, f5, f6]) = (angles.noflip, angles.flip);
-    let (noflip, flip) =
-        (joint_values(arm, [t1, t2, t3, n4, n5, n6]), joint_values(arm, [t1, t2, t3, f4, f5, f6]));
-    let turns = arm.fk_turns(&noflip);
-    let first = Turned::new(
-        turns,
-        A::FK_TURNS,
-        #[inline(always)]
-        |index, _| match A::FK_KNOWN.get(index) {
-            Some(Known::Wrist(turn)) => aimed.turned.of(*turn),
-            _ => None,
-        },
-    );
-    // With an offset the bend is not the opposite of what it was.
-    let is_opposite = |Rows { offset: [_, bend, _], .. }| bend == T::lit(0.0);
-    let opposite = arm.orthogonal_wrist::<T>().is_some_and(is_opposite);
-    let second = Turned::new(
-        arm.fk_turns(&flip),
-        A::FK_TURNS,
-        #[inline(always)]
-        |index, angle| match A::FK_KNOWN.get(index) {
-            Some(Known::Wrist(_) | Known::Base) => first.of(index),
-            Some(Known::Outer) => first.across(index, *turns.get(index)?, angle),
-            Some(Known::Bend) if opposite => first.of(index).map(|[sine, cosine]| [-sine, cosine]),
-            _ => None,
-        },
-    );
     [
-        missed(pose, per_scale, &arm.fk_turned(&noflip, &first.sines, &first.cosines)),
-        missed(pose, per_scale, &arm.fk_turned(&flip, &second.sines, &second.cosines)),
+        residual(arm, pose, per_scale, base, turned, &angles.noflip),
+        residual(arm, pose, per_scale, base, turned, &angles.flip),
     ]
+}
+
+/// That of one of the bends.
+#[inline(always)]
+fn residual<T: Float, A: SolveWrist<6>>(
+    arm: &A,
+    pose: &Pose<T>,
+    per_scale: T,
+    &[t1, t2, t3]: &[Row<T>; 3],
+    turned: &Turned<T>,
+    &[t4, t5, t6]: &[Row<T>; 3],
+) -> T {
+    let rows = [t1, t2, t3, t4, t5, t6];
+    let q = joint_values(arm, [t1.value, t2.value, t3.value, t4.value, t5.value, t6.value]);
+    let all = Turned::new(
+        arm.fk_turns(&q),
+        A::FK_TURNS,
+        #[inline(always)]
+        |index| match A::FK_KNOWN.get(index) {
+            Some(Known::Wrist(turn)) => turned.of(*turn),
+            what => known(what, &rows),
+        },
+    );
+    missed(pose, per_scale, &arm.fk_turned(&q, &all.sines, &all.cosines))
 }
 
 /// The joint values that command row values, angles in (-π, π].

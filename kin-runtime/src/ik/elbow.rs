@@ -9,11 +9,12 @@
 //! * the forearm pulls the wrist centre away from the upper arm by the angle of (u(s² + o²) + f(s² - o²), 2f·w); the upper
 //!   arm stands that far to either side of (x, v).
 //!
-//! No sine is taken, and no two angles are added but to the constants of the table.
+//! No sine is taken, and no two angles are added but to the constants of the table. The vectors' lengths are known: the radius,
+//! s² + o² by half the bend, and D²(s² + o²) of the last.
 
 use crate::ik::ElbowBase;
 use crate::ik::base::Placed;
-use crate::ik::wrist::straight_row_value;
+use crate::ik::figure::{Figure, Row, Zero};
 use crate::math::{self, Float};
 use crate::solutions::{Boundary, Reason};
 
@@ -25,6 +26,8 @@ pub(super) struct Seen<T> {
     pub(super) across: T,
     pub(super) half: T,
     pub(super) v: T,
+    /// One over the length of the direction of the arm's plane.
+    pub(super) per: T,
 }
 
 /// A shoulder, and the triangle of the links over what is left once joint 1 is set.
@@ -35,21 +38,17 @@ pub(super) struct Side<T> {
     pub(super) square: T,
     /// The wrist centre in the arm's plane.
     centre: [T; 2],
-    /// Sine and cosine, at some length: of the angle of the arm's plane, of half the elbow's bend, and of the angle by which
-    /// the forearm turns the wrist centre with the elbow up.
-    plane: [T; 2],
-    bend: [T; 2],
+    /// The angle of the arm's plane, and that by which the elbow bends, not negative.
+    plane: Figure<T>,
+    bend: Figure<T>,
+    /// How far the elbow is from stretched or folded.
+    pub(super) margin: T,
+    /// Sine and cosine, at some length, of the angle by which the forearm turns the wrist centre with the elbow up; one over
+    /// that length and the distance.
     lean: [T; 2],
+    per: T,
     /// Which way the elbow bends where it is up.
     sign: T,
-}
-
-/// Placements with the elbow up and with the elbow down.
-pub(super) struct Elbows<T> {
-    /// Row values, in (-π, π].
-    pub(super) rows: [[T; 3]; 2],
-    /// The elbow's angle from stretched or folded.
-    pub(super) margin: T,
 }
 
 /// Whether axis 1 lies in the arm's plane: so it does for most arms, whose compilers know it and save a root.
@@ -64,13 +63,14 @@ impl<T: Float> Seen<T> {
     #[inline(always)]
     pub(super) fn new(base: &ElbowBase<T>, [x, y, z]: [T; 3]) -> Self {
         let (sine, cosine) = base.twist;
-        let radius = math::sqrt(x * x + y * y);
+        let (one, square) = (T::lit(1.0), x * x + y * y);
+        let radius = math::sqrt(square);
         if is_centred(base) {
-            return Seen { x, y, across: T::lit(0.0), half: radius, v: sine * z };
+            return Seen { x, y, across: T::lit(0.0), half: radius, v: sine * z, per: one / radius };
         }
         let across = (cosine * z - base.lateral) / sine;
         let half = math::sqrt_or_zero((radius - across) * (radius + across));
-        Seen { x, y, across, half, v: cosine * across + sine * z }
+        Seen { x, y, across, half, v: cosine * across + sine * z, per: one / square }
     }
 }
 
@@ -81,7 +81,7 @@ impl<T: Float> Side<T> {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let &ElbowBase { upper, fore, .. } = base;
         let (sum, difference) = (upper + fore, math::abs(upper - fore));
-        let &Seen { x: px, y: py, across, half, v } = seen;
+        let &Seen { x: px, y: py, across, half, v, per } = seen;
         let along = half * side;
         let x = along - base.a1;
         let square = x * x + v * v;
@@ -94,43 +94,29 @@ impl<T: Float> Side<T> {
         // Seen along z2, a forearm that bends back downwards leaves the elbow up; over the back it is the other way, and
         // so it is where axis 2 points to the other side.
         let sign = if base.twist.0 < zero { side } else { -side };
-        let lean = [(fore + fore) * width * sign, upper * (shut + open) + fore * (shut - open)];
+        let (all, apart) = (shut + open, shut - open);
+        let lean = [(fore + fore) * width * sign, upper * all + fore * apart];
+        let per_lean = one / (all * square);
         let plane = if is_centred(base) {
-            [py * side, px * side]
+            Figure::of([py * side, px * side], per)
         } else {
-            [py * along - px * across, px * along + py * across]
+            Figure::of([py * along - px * across, px * along + py * across], per).unit()
         };
-        Side { spare, square, centre: [x, v], plane, bend: [width, shut], lean, sign }
+        let bend = Figure::twice([width, shut], [width + width, apart], per_lean * square);
+        let margin = math::min(bend.angle, math::half_turn::<T>() - bend.angle);
+        Side { spare, square, centre: [x, v], plane, bend, margin, lean, per: per_lean, sign }
     }
 
-    /// Sine and cosine, at some length, of the angles that its placements are made of: of the arm's plane, of half the elbow's
-    /// bend, and of the upper arm with the elbow up and down.
+    /// The row values of its placement with the elbow up (1) or down (-1).
     #[inline(always)]
-    pub(super) fn directions(&self) -> [[T; 2]; 4] {
+    pub(super) fn rows(&self, base: &ElbowBase<T>, elbow: T) -> [Row<T>; 3] {
         let ([s, c], [x, v]) = (self.lean, self.centre);
-        let ([y, z], [a, b]) = ([v * c, x * s], [x * c, v * s]);
-        [self.plane, self.bend, [y - z, a + b], [y + z, a - b]]
-    }
-
-    /// Its placements, of those angles.
-    #[inline(always)]
-    pub(super) fn elbows(&self, base: &ElbowBase<T>, [plane, bend, up, down]: [T; 4]) -> Elbows<T> {
-        let bend = bend + bend;
-        let margin = math::min(bend, math::half_turn::<T>() - bend);
-        let bend = self.sign * bend;
+        let upper = [v * c - elbow * (x * s), x * c + elbow * (v * s)];
+        let upper = Figure::of(upper, self.per).unit();
         let ([o1, o2, o3], [r1, r2, r3]) = (base.offset, base.reversed);
-        let first = straight_row_value(plane, o1, r1);
-        let (up, down) = (straight_row_value(up, o2, r2), straight_row_value(down, o2, r2));
-        let (bent, bowed) = (straight_row_value(bend, o3, r3), straight_row_value(-bend, o3, r3));
-        Elbows { rows: [[first, up, bent], [first, down, bowed]], margin }
+        let (first, second, third) = (Zero::new(o1, r1), Zero::new(o2, r2), Zero::new(o3, r3));
+        [self.plane.row(&first), upper.row(&second), self.bend.signed(self.sign * elbow).row(&third)]
     }
-}
-
-/// The angles of directions.
-#[inline(always)]
-pub(super) fn angles<T: Float>([a, b, c, d]: [[T; 2]; 4]) -> [T; 4] {
-    let angle = |[y, x]: [T; 2]| T::atan2_straight(y, x);
-    [angle(a), angle(b), angle(c), angle(d)]
 }
 
 /// Why the links do not close over a distance of this square, joint 1 being at `t1`; nothing where it is by so little that the
@@ -156,12 +142,11 @@ pub(super) fn both_shoulders<T: Float>(
         if !(seen.half > window && side.spare > T::lit(0.0)) {
             return None;
         }
-        let Elbows { rows, margin } = side.elbows(base, angles(side.directions()));
-        Some(rows.map(|rows| Placed {
+        Some([T::lit(1.0), T::lit(-1.0)].map(|elbow| Placed {
             // Offsets may be of any size here.
-            rows: rows.map(math::wrap),
+            rows: side.rows(base, elbow).map(|row| math::wrap(row.value)),
             shoulder: seen.half,
-            elbow: margin,
+            elbow: side.margin,
             shoulder_free: false,
             elbow_free: false,
         }))

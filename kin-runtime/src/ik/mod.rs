@@ -6,9 +6,9 @@
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
 //! * `rim`: an oblique wrist that the same round-off has put beyond its cone.
-//! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, in steps
-//!   that know no branch: `elbow`, then `bends`, in loops over the placements of one pose (`side`), or over the
-//!   poses of a batch (`abreast`); `wrists` is the loops that both have.
+//! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, by programs
+//!   that know no branch: `elbow`, then `bends`, for `placements`, in a loop over those of one pose (`side`) or over the
+//!   poses of a batch (`abreast`). `figure` is the angles there, which come with their sines.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
 //! * [`short`]: poses of arms with two to five joints; `freed`, where the place of the point leaves joints free.
@@ -35,10 +35,12 @@ mod bends;
 pub mod closest;
 pub mod conic;
 mod elbow;
+mod figure;
 mod freed;
 pub mod general;
 mod lines;
 pub mod pair;
+mod placements;
 mod planar;
 pub mod position;
 pub mod quartic;
@@ -54,7 +56,6 @@ pub mod spherical_wrist;
 mod straight;
 pub mod target;
 pub mod wrist;
-mod wrists;
 
 #[cfg(test)]
 mod tests;

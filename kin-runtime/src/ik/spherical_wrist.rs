@@ -5,10 +5,11 @@
 //! ```
 
 use crate::ik::abreast::Abreast;
+use crate::ik::placements::Elbowed;
 use crate::ik::sphere::{self, View};
 use crate::ik::target::Target;
 use crate::ik::wrist::{Rows, Wrist};
-use crate::ik::{Base, ElbowBase, finite, side, sliding, wrists};
+use crate::ik::{Base, ElbowBase, finite, side, sliding};
 use crate::math::{self, Float, Real};
 use crate::pose::{self, Joints, Pose};
 use crate::private::SolveWrist;
@@ -45,9 +46,9 @@ pub fn solve_each<T: Float, A: SolveWrist<6>>(
     {
         let (chunks, rest) = poses.as_chunks::<ABREAST>();
         let (chunks_of_places, rest_of_places) = places.as_chunks_mut::<ABREAST>();
-        let mut abreast = Abreast::new();
+        let (mut abreast, elbowed) = (Abreast::new(), Elbowed { arm, base: &base, wrist: &offsets });
         for (poses, places) in chunks.iter().zip(chunks_of_places) {
-            abreast.solve(arm, &base, &offsets, poses, places);
+            abreast.solve(&elbowed, poses, places);
             // What is near a singular pose, or out of reach, comes by itself.
             for (pose, place) in poses.iter().zip(places).filter(|(_, place)| place.is_none()) {
                 *place = Some(solve(arm, pose));
@@ -72,8 +73,7 @@ fn is_usual<T: Float, A: SolveWrist<6>>(arm: &A, base: &ElbowBase<T>, wrist: &Ro
     };
     let turn = |turn: &T| math::abs(*turn) <= T::lit(1e3);
     let longest = base.reach / T::EPS;
-    A::WRIST_TURNS <= wrists::TURNS
-        && base.offset.iter().chain(&wrist.offset).all(offset)
+    base.offset.iter().chain(&wrist.offset).all(offset)
         && arm.wrist_turns([zero; 3]).iter().chain(&arm.fk_turns(&pose::column(none))).all(turn)
         && math::is_finite(longest * longest * longest * T::lit(64.0))
 }
@@ -119,7 +119,7 @@ fn solve_here<T: Float, A: SolveWrist<6>>(
     };
     if let (Base::Elbow(base), Some(offsets)) = (&base, arm.orthogonal_wrist::<T>())
         && is_usual(arm, base, &offsets)
-        && let Some(solutions) = side::regular(arm, &target, base, &offsets)
+        && let Some(solutions) = side::regular(&Elbowed { arm, base, wrist: &offsets }, &target)
     {
         return solutions;
     }

@@ -91,20 +91,6 @@ pub fn row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
     math::wrap(row_length(figure, offset, reversed))
 }
 
-/// As [`row_value`], without a branch: of a figure angle in [-π, π] and an offset that is zero or more than round-off, and at
-/// most half a turn.
-#[inline(always)]
-pub(crate) fn straight_row_value<T: Float>(figure: T, offset: T, reversed: bool) -> T {
-    let row = row_length(figure, offset, reversed);
-    if offset == T::lit(0.0) {
-        math::without_minus_half(row)
-    } else if (offset > T::lit(0.0)) != reversed {
-        math::wrap_up(row)
-    } else {
-        math::wrap_down(row)
-    }
-}
-
 /// The row value of a figure length.
 #[inline(always)]
 pub fn row_length<T: Real>(figure: T, offset: T, reversed: bool) -> T {

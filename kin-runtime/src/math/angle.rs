@@ -27,12 +27,13 @@ const LARGE: f64 = f64::MAX / 4.0;
 /// The angle of the vector (x, y), in [-π, π]. Signs of zeros count, and infinities are directions, as in IEEE 754.
 #[inline]
 pub(super) fn atan2(y: f64, x: f64) -> f64 {
-    if is_usual(y, x) { usual(y, x) } else { unusual(y, x) }
+    if is_usual(y, x) { usual(y, x).0 } else { unusual(y, x) }
 }
 
-/// The same bits without a branch, where the sum of the coordinates is a number; NaN for the zero vector.
+/// The same bits without a branch, where the sum of the coordinates is a number, and what rounding has taken off; NaN for the
+/// zero vector.
 #[inline(always)]
-pub(super) fn straight(y: f64, x: f64) -> f64 {
+pub(super) fn straight(y: f64, x: f64) -> (f64, f64) {
     usual(y, x)
 }
 
@@ -43,7 +44,7 @@ pub(super) fn atan2_lanes<const L: usize>(y: [f64; L], x: [f64; L]) -> [f64; L] 
     for (angle, x) in angles.iter_mut().zip(x) {
         // Without an early return, which is a branch for each lane.
         all_usual &= is_usual(*angle, x);
-        *angle = usual(*angle, x);
+        *angle = usual(*angle, x).0;
     }
     if !all_usual {
         repair(&mut angles, &y, &x);
@@ -87,29 +88,38 @@ fn unusual(y: f64, x: f64) -> f64 {
     let (rise, run) = (y.abs(), x.abs());
     let (rise, run) = (finite(rise, run), finite(run, rise));
     let run = if (rise == 0.0) & (run == 0.0) { 1.0 } else { run };
-    usual(rise.copysign(y), run.copysign(x))
+    usual(rise.copysign(y), run.copysign(x)).0
 }
 
-/// The angle of a vector with [usual](is_usual) coordinates; of others, nothing of meaning.
+/// The angle of a vector with [usual](is_usual) coordinates, and what the last rounding took off it; of others, nothing of
+/// meaning.
 #[inline(always)]
-fn usual(y: f64, x: f64) -> f64 {
-    let (rise, run) = (y.abs(), x.abs());
+fn usual(y: f64, x: f64) -> (f64, f64) {
+    let (angle, lost) = above(y.abs(), x);
+    let below = y.to_bits() & (1 << 63);
+    (angle.copysign(y), f64::from_bits(lost.to_bits() ^ below))
+}
+
+/// The same of a vector that does not point below the first axis.
+#[inline(always)]
+pub(super) fn above(rise: f64, x: f64) -> (f64, f64) {
+    let run = x.abs();
     let steep = rise > run;
     let least = if rise < run { rise } else { run };
     let most = if steep { rise } else { run };
     // In the upper half the eighth of a turn is taken off: tan(φ - π/4) = (a - b)/(a + b), the difference exact.
     let upper = least + least > most;
-    let above = least - if upper { most } else { 0.0 };
-    let below = most + if upper { least } else { 0.0 };
-    let t = above / below;
+    let t = (least - if upper { most } else { 0.0 }) / (most + if upper { least } else { 0.0 });
     // The octant says how many eighths of a turn there are besides, and whether the angle counts back from them.
     let (quarter, turned) = (if steep { 2.0 } else { 0.0 }, 1.0_f64.copysign(x));
     let (half, forth) = (2.0 - (turned + turned), 1.0 - quarter);
     let eighths = half + turned * (quarter + if upper { forth } else { 0.0 });
     let way = (turned * forth) * t;
     let bend = way * (t * t) * polynomial(t * t);
-    let angle = eighths * FRAC_PI_4 + (way + (eighths * EIGHTH_REST - bend));
-    angle.copysign(y)
+    let (whole, part) = (eighths * FRAC_PI_4, way + (eighths * EIGHTH_REST - bend));
+    let angle = whole + part;
+    // The whole is the larger, or nothing: the difference is exact.
+    (angle, part - (angle - whole))
 }
 
 /// As [`super::sine`]'s, in three groups of four.

@@ -92,11 +92,18 @@ pub trait Float: Real + PartialOrd + RealField + LowerExp {
         Real::sin_cos(x)
     }
     /// The angle of the plane vector (x, y) without a branch: the bits of [`atan2`](Float::atan2) where |x| + |y| is a number
-    /// and not zero, NaN for NaN and for the zero vector; of others, nothing of meaning.
+    /// and not zero, NaN for NaN and for the zero vector; of others, nothing of meaning. And what rounding took off the angle, as
+    /// far as it is known: the sum is the angle to less than ε/2.
     #[doc(hidden)]
     #[inline(always)]
-    fn atan2_straight(y: Self, x: Self) -> Self {
-        Float::atan2(y, x)
+    fn atan2_straight(y: Self, x: Self) -> (Self, Self) {
+        (Float::atan2(y, x), Self::lit(0.0))
+    }
+    /// As [`atan2_straight`](Float::atan2_straight), of a y that is not negative and not -0.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn atan2_above(y: Self, x: Self) -> (Self, Self) {
+        Self::atan2_straight(y, x)
     }
     /// The absolute value: the same number without its sign.
     fn abs(self) -> Self;
@@ -144,8 +151,12 @@ impl Float for f64 {
         sine::straight(x)
     }
     #[inline(always)]
-    fn atan2_straight(y: Self, x: Self) -> Self {
+    fn atan2_straight(y: Self, x: Self) -> (Self, Self) {
         angle::straight(y, x)
+    }
+    #[inline(always)]
+    fn atan2_above(y: Self, x: Self) -> (Self, Self) {
+        angle::above(y, x)
     }
     #[inline]
     fn abs(self) -> Self {
@@ -206,6 +217,13 @@ fn narrow<const L: usize>(numbers: [f64; L]) -> [f32; L] {
     narrow
 }
 
+/// An angle in single precision, and what rounding took off it.
+#[inline(always)]
+fn narrow_angle((angle, _): (f64, f64)) -> (f32, f32) {
+    let rounded = angle as f32;
+    (rounded, (angle - f64::from(rounded)) as f32)
+}
+
 impl Float for f32 {
     const EPS: Self = f32::EPSILON;
     const TURN: (Self, Self) = (core::f32::consts::TAU, -1.748_455_6e-7);
@@ -222,8 +240,12 @@ impl Float for f32 {
         (sine as f32, cosine as f32)
     }
     #[inline(always)]
-    fn atan2_straight(y: Self, x: Self) -> Self {
-        angle::straight(f64::from(y), f64::from(x)) as f32
+    fn atan2_straight(y: Self, x: Self) -> (Self, Self) {
+        narrow_angle(angle::straight(f64::from(y), f64::from(x)))
+    }
+    #[inline(always)]
+    fn atan2_above(y: Self, x: Self) -> (Self, Self) {
+        narrow_angle(angle::above(f64::from(y), f64::from(x)))
     }
     #[inline]
     fn abs(self) -> Self {

@@ -64,7 +64,7 @@ fn in_range<T: Float, const L: usize>(angles: &[T; L]) -> bool {
 /// The same angle in (-π, π], if it is within a turn: as [`into_range`], without a branch.
 #[inline(always)]
 fn within_a_turn<T: Float>(angle: T) -> T {
-    if angle > half_turn::<T>() { wrap_down(angle) } else { wrap_up(angle) }
+    if angle > half_turn::<T>() { wrap_down(angle).0 } else { wrap_up(angle).0 }
 }
 
 /// An angle of at most half a turn in (-π, π], without a branch: minus half a turn becomes half a turn.
@@ -74,22 +74,26 @@ pub(crate) fn without_minus_half<T: Float>(angle: T) -> T {
     if angle <= -half { half } else { angle }
 }
 
-/// An angle of at least minus a turn and at most half a turn in (-π, π], as [`wrap`], without a branch.
+/// An angle of at least minus a turn and at most half a turn in (-π, π], as [`wrap`], without a branch. And what the value is
+/// more than the angle, but for turns: exactly, as the angle is at least half of what is taken off.
 #[inline(always)]
-pub(crate) fn wrap_up<T: Float>(angle: T) -> T {
+pub(crate) fn wrap_up<T: Float>(angle: T) -> (T, T) {
     let half = half_turn::<T>();
-    let forth = (angle + T::TURN.0) + T::TURN.1;
+    let moved = angle + T::TURN.0;
+    let forth = moved + T::TURN.1;
     let forth = if forth <= half { forth } else { half };
-    if angle <= -half { forth } else { angle }
+    if angle <= -half { (forth, (forth - moved) - T::TURN.1) } else { (angle, T::lit(0.0)) }
 }
 
-/// An angle of more than minus half a turn and at most a turn in (-π, π], as [`wrap`], without a branch.
+/// An angle of more than minus half a turn and at most a turn in (-π, π], as [`wrap`], without a branch. And what the value is
+/// more than the angle, as of [`wrap_up`].
 #[inline(always)]
-pub(crate) fn wrap_down<T: Float>(angle: T) -> T {
+pub(crate) fn wrap_down<T: Float>(angle: T) -> (T, T) {
     let half = half_turn::<T>();
-    let back = (angle - T::TURN.0) - T::TURN.1;
+    let moved = angle - T::TURN.0;
+    let back = moved - T::TURN.1;
     let back = if back > -half { back } else { half };
-    if angle > half { back } else { angle }
+    if angle > half { (back, (back - moved) + T::TURN.1) } else { (angle, T::lit(0.0)) }
 }
 
 /// Puts an angle that round-off left at or just beyond the ends of (-π, π] back into it.
@@ -144,8 +148,8 @@ mod tests {
             let same = |found: f64| found.to_bits() == expected.to_bits();
             assert!(same(wrap(angle)), "{angle}");
             assert!(angle.abs() > half || same(without_minus_half(angle)), "{angle}");
-            assert!(angle > half || angle < -2.5 * half || same(wrap_up(angle)), "{angle}");
-            assert!(angle <= -half || angle > 2.5 * half || same(wrap_down(angle)), "{angle}");
+            assert!(angle > half || angle < -2.5 * half || same(wrap_up(angle).0), "{angle}");
+            assert!(angle <= -half || angle > 2.5 * half || same(wrap_down(angle).0), "{angle}");
         }
         // Side by side each has the bits that it has alone, whatever the others are.
         for other in [0.0, -3.5, 100.0, f64::NAN] {
@@ -154,7 +158,7 @@ mod tests {
                 wrap_all(all).into_iter().zip(all).all(|(found, x)| found.to_bits() == wrap(x).to_bits())
             );
         }
-        assert!(wrap_up(f64::NAN).is_nan() && wrap_down(f64::NAN).is_nan());
+        assert!(wrap_up(f64::NAN).0.is_nan() && wrap_down(f64::NAN).0.is_nan());
         assert!(without_minus_half(f64::NAN).is_nan());
     }
 

@@ -150,6 +150,16 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         Self { slots: B::slots(make), sliding }
     }
 
+    /// Puts what became of each branch into its slot, one after the other: of a value that is made as a whole a compiler holds
+    /// everything before it writes the first number.
+    #[inline(always)]
+    pub(crate) fn fill(&mut self, make: impl Fn(B) -> Slot<T, N, B>) {
+        B::slots(
+            #[inline(always)]
+            |branch| self.put(branch, make(branch)),
+        );
+    }
+
     /// A slot that is merged with an empty one has that one's reason, one that is merged with a merged one goes with it.
     pub(crate) fn settle_mergers(&mut self) {
         for branch in B::ALL {
@@ -165,6 +175,7 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 
     /// Puts what became of one branch into its slot.
+    #[inline(always)]
     pub(crate) fn put(&mut self, branch: B, slot: Slot<T, N, B>) {
         *branch.of_mut(&mut self.slots) = slot;
     }

@@ -92,27 +92,25 @@ impl Printer<'_> {
         self.turned(text, "WRIST", &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
         self.turned(text, "FK", fk, Given::Joints, Gives::Pose);
         line!(text, "const COUPLED: bool = {};", !is_identity(&self.arm.couple));
-        let known = fk.turns.iter().map(|turn| self.known(turn, &solver.wrist_rotation.turns));
-        let nothing = (fk.turns.len()..MOST_TURNS).map(|_| "Nothing".to_owned());
-        let known: Vec<String> =
-            known.chain(nothing).map(|known| format!("{krate}::private::Known::{known}")).collect();
-        line!(text, "const FK_KNOWN: [{krate}::private::Known; {MOST_TURNS}] = [{}];", known.join(", "));
+        let wrist = &solver.wrist_rotation.turns;
+        self.known(text, "WRIST", wrist.iter().map(of_rows).collect());
+        let coupled = !is_identity(&self.arm.couple);
+        let known = |turn: &Turn| match wrist.iter().position(|known| known == turn) {
+            // Forward kinematics turns by what is commanded, the wrist by row values.
+            _ if coupled => "Nothing".to_owned(),
+            Some(known) => format!("Wrist({known})"),
+            None => of_rows(turn),
+        };
+        self.known(text, "FK", fk.turns.iter().map(known).collect());
     }
 
-    /// What is known of an angle of forward kinematics once the wrist is solved, whose angles those are.
-    fn known(&self, turn: &Turn, wrist: &[Turn]) -> String {
-        if !is_identity(&self.arm.couple) {
-            return "Nothing".to_owned();
-        }
-        match wrist.iter().position(|known| known == turn) {
-            Some(known) => format!("Wrist({known})"),
-            None if turn.joints.iter().all(|(_, joint)| *joint < 3) => "Base".to_owned(),
-            None => match (turn.joints.as_slice(), turn.rest == Turn::default().rest) {
-                ([(1, 3 | 5)], true) => "Outer".to_owned(),
-                ([(1, 4)], true) => "Bend".to_owned(),
-                _ => "Nothing".to_owned(),
-            },
-        }
+    /// What is known of the turns of a program.
+    fn known(&self, text: &mut String, name: &str, mut known: Vec<String>) {
+        let krate = self.krate;
+        known.resize(MOST_TURNS, "Nothing".to_owned());
+        let known: Vec<String> =
+            known.iter().map(|known| format!("{krate}::private::Known::{known}")).collect();
+        line!(text, "const {name}_KNOWN: [{krate}::private::Known; {MOST_TURNS}] = [{}];", known.join(", "));
     }
 
     /// A program in two parts: its turns, and the rest of it, which takes their sines and cosines.
@@ -314,6 +312,17 @@ impl Printer<'_> {
             infix::append(&mut text, *coefficient < 0, &factor);
         }
         text
+    }
+}
+
+/// What row values tell of a turn by them.
+fn of_rows(turn: &Turn) -> String {
+    match turn.joints.as_slice() {
+        _ if turn.rest != Turn::default().rest => "Nothing".to_owned(),
+        [(1, joint)] => format!("Row({joint})"),
+        [(1, joint), (1, other)] => format!("Sum({joint}, {other})"),
+        [(1, joint), (-1, other)] | [(-1, other), (1, joint)] => format!("Difference({joint}, {other})"),
+        _ => "Nothing".to_owned(),
     }
 }
 
