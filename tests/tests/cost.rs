@@ -33,6 +33,35 @@ fn every_program_costs_what_is_promised_or_less() {
     }
 }
 
+/// A fixed row that turns about the axis of the joint behind it by an odd angle is an offset of that joint, and costs no more.
+#[test]
+fn a_fixed_turn_about_a_joint_s_own_axis_costs_no_more_than_an_offset() {
+    let arm = |between: &str, second: &str| {
+        let text = format!(
+            "struct Any(standard, m, deg);
+| joint | theta | d | a | alpha |
+| J1 | q | 0.3 | 0.1 | 0 |
+{between}| J2 | {second} | 0.4 | 90 |
+| J3 | q | 0.1 | 0.2 | 0 |
+"
+        );
+        kin_gen::compile_text(&text).unwrap_or_else(|messages| panic!("{text}\n{messages}"))
+    };
+    for angle in ["25", "-67.5", "90"] {
+        let fixed = arm(&format!("| | {angle} | 0.05 | 0 | 0 |\n"), "q | 0");
+        let offset = arm("", &format!("q + {angle} | 0.05"));
+        let costs = [&fixed, &offset].map(|arm| {
+            let forward = &arm.forward;
+            [&forward.fk, &forward.jacobian, &forward.fk_jacobian].map(|program| program.cost())
+        });
+        let [fixed, offset] = costs;
+        for (fixed, offset) in fixed.iter().zip(&offset) {
+            let dearer = fixed.mul > offset.mul || fixed.add > offset.add || fixed.trig > offset.trig;
+            assert!(!dearer, "{angle}: {fixed}, and {offset} with an offset");
+        }
+    }
+}
+
 /// What `counts` prints, for every arm.
 #[test]
 fn the_counts_are_current() {

@@ -231,6 +231,24 @@ fn a_joint_winds_as_far_as_its_limits_let_it_and_flips_there() {
     assert!(*by > 0.0 && *by < 0.2 && *jump > 3.0, "{jump} {by}");
 }
 
+/// With nothing ahead that tells ends of a flip apart, it leads to the nearest of all windings of all solutions.
+#[test]
+fn a_flip_to_the_end_of_a_path_is_as_short_as_it_can_be() {
+    let (arm, mut random, mut flips) = (robots::Puma560, Sampler::new(34), 0);
+    for _ in 0..200 {
+        let limits = Limits::new([Some((-6.0, 6.0)); 6]);
+        let [from, to] = [(); 2].map(|()| Joints::from(random.angles::<6>()));
+        let pose = arm.fk(&to);
+        let Some(Step::Flip { to, .. }) = arm.track(&from, [pose]).within(&limits).next() else { continue };
+        let solutions = arm.ik(&pose);
+        let ways = solutions.windings(&limits).map(|winding| (winding.q - from).norm());
+        let (least, own) = (ways.fold(f64::INFINITY, f64::min), (to.q - from).norm());
+        assert!((own - least).abs() <= 1e-9, "{own} where {least} would do: {from}");
+        flips += 1;
+    }
+    assert!(flips > 150, "{flips}");
+}
+
 #[test]
 fn what_is_out_of_reach_is_blocked_and_the_path_goes_on_after_it() {
     let arm = robots::Kr6R700;
@@ -250,6 +268,11 @@ fn what_is_out_of_reach_is_blocked_and_the_path_goes_on_after_it() {
     let mut lost = arm.track(&Joints::from([f64::NAN; 6]), path[..2].iter().copied());
     assert!(lost.all(|step| step == Step::Blocked(Reason::NotFinite)));
     assert_eq!(arm.track(&Joints::from(q), []).count(), 0);
+    // A step for every pose, and it is known how many are left.
+    let mut left = arm.track(&Joints::from(q), path.iter().copied());
+    for count in (0..path.len()).rev() {
+        assert!(left.next().is_some() && left.size_hint() == (count, Some(count)));
+    }
 }
 
 #[test]

@@ -166,3 +166,72 @@ impl<T: Float> Reason<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::Random;
+
+    /// An elbow or a telescope of any proportions, in a unit of so many metres.
+    fn base(random: &mut Random, unit: f64) -> Base<f64> {
+        let [a1, lateral, upper, fore] = [(); 4].map(|()| unit * random.within(0.1, 0.6));
+        let angle = random.within(0.5, 2.5);
+        let (twist, reach) = (math::sin_cos(angle), 2.0 * unit);
+        let (offset, reversed) =
+            ([(); 3].map(|()| random.within(-1.0, 1.0)), [(); 3].map(|()| random.coin()));
+        if random.coin() {
+            Base::Elbow(ElbowBase { a1, twist, lateral, upper, fore, offset, reversed, reach })
+        } else {
+            let [o1, o2, o3] = offset;
+            let offset = [o1, o2, o3 * unit];
+            Base::Telescope(TelescopeBase { a1, twist, lateral, arm: upper, offset, reversed, reach })
+        }
+    }
+
+    fn placed(base: &Base<f64>, p: [f64; 3]) -> [Option<Placed<f64>>; 4] {
+        let mut all = [None; 4];
+        let placements = base.place(p, base.reach(), [None; 2]);
+        for (slot, posture) in all.iter_mut().zip(ArmPosture::ALL) {
+            *slot = posture.of(&placements).as_ref().ok().copied();
+        }
+        all
+    }
+
+    fn moved(base: &Base<f64>, a: &Placed<f64>, b: &Placed<f64>) -> f64 {
+        let [x, y, z] = [0, 1, 2].map(|joint| a.rows[joint] - b.rows[joint]);
+        let z = if matches!(base, Base::Telescope(_)) { z / base.reach() } else { math::wrap(z) };
+        math::wrap(x).abs().max(math::wrap(y).abs()).max(z.abs())
+    }
+
+    /// Differences of neighbouring points show what round-off of the point does to the joints; it is never made out as less than
+    /// a fraction of that, nor as less than its own, whatever the unit of length.
+    #[test]
+    fn what_magnifies_round_off_is_known_in_any_unit() {
+        let mut random = Random(101);
+        let mut seen = 0;
+        for seed in 0..400 {
+            let p = [(); 3].map(|()| random.within(-1.0, 1.0));
+            let [metres, small] = [1.0, 1024.0].map(|unit| base(&mut Random(seed), unit));
+            let (here, same) = (placed(&metres, p), placed(&small, p.map(|x| 1024.0 * x)));
+            for (here, same) in here.iter().zip(&same) {
+                let (Some(here), Some(same)) = (here, same) else { continue };
+                let (times, touching) = metres.magnified(here);
+                assert_eq!((times, touching), small.magnified(same), "{metres:?} at {p:?}");
+                let h = 1e-7 / times;
+                for axis in 0..3 {
+                    let mut near = p;
+                    near[axis] += h * metres.reach();
+                    let there = placed(&metres, near);
+                    let nearest = there.iter().flatten().map(|there| moved(&metres, here, there));
+                    let rate = nearest.fold(f64::INFINITY, f64::min) / h;
+                    assert!(rate <= 16.0 * times, "{rate} of {times}: {metres:?} at {p:?}, {here:?}");
+                }
+                seen += 1;
+                // What is free takes its round-off from nowhere.
+                let free = Placed { shoulder_free: true, elbow_free: true, ..*here };
+                assert_eq!(metres.magnified(&free).0, 1.0);
+            }
+        }
+        assert!(seen > 400, "{seen}");
+    }
+}

@@ -176,7 +176,9 @@ fn quadratic<T: Float>(a: T, b: T, c: T, slack: T) -> Sides<T> {
     let values = if safe == zero {
         [(a != zero).then_some(zero); 2]
     } else {
-        let (direct, other) = (kept(-safe / (two * a)), kept(two * c / safe));
+        let direct = kept(-safe / (two * a));
+        // Without a root both are where it comes nearest to having one.
+        let other = if square < zero { direct } else { kept(two * c / safe) };
         if b < zero { [direct, other] } else { [other, direct] }
     };
     let open = if a == zero { false } else { -square > T::lit(4.0) * math::abs(a) * slack };
@@ -229,4 +231,90 @@ fn chords<T: Float>(
         Some(Way { first, third, free, open: crossing.open || sides.open })
     };
     [way(&up, false), way(&down, false), way(&up, true), way(&down, true)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::Random;
+
+    #[test]
+    fn a_quadratic_has_its_roots_on_the_sides_of_its_slope() {
+        let mut random = Random(71);
+        for _ in 0..20_000 {
+            // Any of them may be nothing, where formulas divide.
+            let [a, b, c] = [(); 3].map(|()| random.sometimes(-2.0, 2.0));
+            let sides = quadratic(a, b, c, 1e-9);
+            let square = b * b + 4.0 * a * c;
+            for (side, value) in [1.0, -1.0].into_iter().zip(sides.values) {
+                let Some(s) = value else {
+                    // A line has one root, on the side of its slope; what is constant has none.
+                    assert!(a == 0.0 && side * b <= 0.0, "{a} {b} {c}");
+                    continue;
+                };
+                assert!(side * (2.0 * a * s + b) >= -1e-12, "{a} {b} {c}: {s}");
+                if square >= 0.0 {
+                    let size = (a * s * s).abs() + (b * s).abs() + c.abs();
+                    assert!((a * s * s + b * s - c).abs() <= 1e-12 * size, "{a} {b} {c}: {s}");
+                } else {
+                    assert!((2.0 * a * s + b).abs() <= 1e-12, "the extremum of {a} {b} {c}: {s}");
+                }
+            }
+            assert!(square != 0.0 || !sides.open);
+        }
+    }
+
+    #[test]
+    fn a_quadratic_is_open_where_its_extremum_falls_short_by_more_than_the_slack() {
+        let mut random = Random(72);
+        for _ in 0..2_000 {
+            let (a, b) = (random.within(0.1, 3.0), random.sometimes(-2.0, 2.0));
+            for (sign, short) in [1.0, -1.0].into_iter().flat_map(|sign| [0.5, 2.0].map(|by| (sign, by))) {
+                let (a, slack) = (sign * a, 1e-3);
+                let c = -b * b / (4.0 * a) - sign * short * slack;
+                assert_eq!(quadratic(a, b, c, slack).open, short > 1.0, "{a} {b} {c}");
+            }
+        }
+    }
+
+    fn vector(random: &mut Random) -> [f64; 2] {
+        [(); 2].map(|()| random.within(-1.0, 1.0))
+    }
+
+    /// Ellipses and parabolas, and what becomes of them where they are flat.
+    fn path(random: &mut Random, flat: bool) -> Path<f64> {
+        let (a, b) = (vector(random), vector(random));
+        let times = random.sometimes(-1.0, 1.0);
+        let b = if flat { a.map(|x| x * times) } else { b };
+        if random.coin() {
+            Path::Circle { centre: vector(random), x: a, y: b, radius: random.within(0.2, 2.0) }
+        } else {
+            Path::Line { start: vector(random), along: a, square: b }
+        }
+    }
+
+    #[test]
+    fn a_path_leads_through_its_points_and_through_no_others() {
+        let mut random = Random(73);
+        for round in 0..4_000 {
+            let path = path(&mut random, round % 2 == 0);
+            let (a, b) = path.spanned();
+            let size = dot(a, a).max(dot(b, b)).sqrt();
+            let (slack, parameter) = (1e-7 * size, random.within(-3.0, 3.0));
+            let point = path.at(parameter);
+            let sides = path.through(point, 1e-14 * size, slack);
+            let off = |s: f64| {
+                let [x, y] = less(path.at(s), point);
+                x.hypot(y)
+            };
+            let least = sides.values.into_iter().flatten().map(off).fold(f64::INFINITY, f64::min);
+            assert!(!sides.open && least <= 1e-6 * size, "{path:?} at {parameter}: off by {least:e}");
+            // Beside a flat path, across it; beside another it need not be near.
+            let Some([x, y]) = path.flat() else { continue };
+            for by in [3.0, -3.0, 1e4] {
+                let aside = [point[0] - by * slack * y, point[1] + by * slack * x];
+                assert!(path.through(aside, 1e-14 * size, slack).open, "{path:?} at {parameter}");
+            }
+        }
+    }
 }

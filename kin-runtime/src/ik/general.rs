@@ -340,3 +340,6 @@ impl<T: Float> Sized<T> {
         Ok((values, Settled { shoulder, elbow, free: [way.free, folded] }))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -94,3 +94,29 @@ impl<T: Float> PairBase<T> {
         (far, if sine <= T::lit(ROUND_OFF) * T::EPS * size { T::lit(0.0) } else { angle })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_constant_must_be_a_number() {
+        let axis = Axis { slides: false, direction: [0.0, 0.0, 1.0], point: [0.1, 0.2, 0.3] };
+        let whole = PairBase { axes: [axis; 2], carried: [0.4, 0.5, 0.6], offset: [0.0; 2], reach: 1.0 };
+        assert!(whole.is_finite());
+        for spoiled in [f64::NAN, f64::INFINITY] {
+            for i in 0..3 {
+                for part in 0..2 {
+                    let (mut direction, mut point, mut carried, mut offset) = (whole, whole, whole, whole);
+                    direction.axes[part].direction[i] = spoiled;
+                    point.axes[part].point[i] = spoiled;
+                    carried.carried[i] = spoiled;
+                    offset.offset[part] = spoiled;
+                    for pair in [direction, point, carried, offset] {
+                        assert!(!pair.is_finite(), "{pair:?}");
+                    }
+                }
+            }
+        }
+    }
+}

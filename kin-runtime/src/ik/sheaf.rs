@@ -219,3 +219,26 @@ impl<T: Float> Labelled<T> {
         self.ways.map(|way| way.or(nearest))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever comes first, of three ways of one side the farthest is let go, and the others are in order.
+    #[test]
+    fn of_three_ways_along_a_line_the_two_nearest_are_kept() {
+        for [a, b, c] in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            for far in [1e7, -1e7] {
+                let thirds = [-0.5, 2.0, far];
+                let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: None };
+                for third in [thirds[a], thirds[b], thirds[c]] {
+                    let way = Way { first: 0.1, third, free: false, open: false };
+                    labelled.take(Root::Rising(0.3), way);
+                }
+                let [right, down, left, other] = labelled.finished().map(|way| way.map(|way| way.third));
+                assert_eq!((right, left), (Some(-0.5), Some(2.0)), "{thirds:?} as {a}, {b}, {c}");
+                assert_eq!((down, other), (None, None));
+            }
+        }
+    }
+}

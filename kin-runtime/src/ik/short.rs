@@ -298,3 +298,42 @@ impl<T: Float, A> Task<'_, T, A> {
         if by > T::lit(0.0) { Reason::Orientation { by } } else { Reason::Inaccurate { residual } }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{Random, about_x, about_z};
+
+    /// The turns that a rotation is made of are read from it, and there the axes fit; for none or one they fit nowhere better.
+    #[test]
+    fn turns_are_read_from_what_they_make_and_fit_there() {
+        let mut random = Random(91);
+        for _ in 0..1_000 {
+            let (a, b, tilt, anywhere) = (random.angle(), random.angle(), random.angle(), random.rotation());
+            let offset = [random.sometimes(-1.0, 1.0), random.sometimes(-1.0, 1.0)];
+            let [o1, o2] = offset;
+            let between = pose::product(&about_z(0.3), &pose::product(&about_x(tilt), &about_z(-1.1)));
+            let two = pose::product(&about_z(a + o1), &pose::product(&between, &about_z(b + o2)));
+            for (turns, made, [first, second]) in [
+                (Turns::None, about_z(0.0), [0.0; 2]),
+                (Turns::One { offset: o1 }, about_z(a + o1), [a, 0.0]),
+                (Turns::Two { between, offset }, two, [a, b]),
+            ] {
+                assert!(turns.gap(&made).abs() <= 8.0 * f64::EPSILON, "{turns:?}");
+                let [x, y] = turns.values(&made);
+                let off = math::abs(math::wrap(x - first)).max(math::abs(math::wrap(y - second)));
+                // Two axes that nearly coincide say little of either angle.
+                assert!(
+                    off * math::abs(math::sin_cos(tilt).0) <= 1e-14,
+                    "{turns:?}: {x} {y} for {first} {second}"
+                );
+                let straying = -turns.gap(&anywhere);
+                assert!(straying >= 0.0 || matches!(turns, Turns::Two { .. }), "{turns:?}");
+            }
+            // Without turns every angle is as far from none as any other turn by it: 4·sin²(a/2).
+            let apart = pose::product(&anywhere, &pose::product(&about_z(a), &pose::transposed(&anywhere)));
+            let (sine, _) = math::sin_cos(0.5 * a);
+            assert!((Turns::None.gap(&apart) + 4.0 * sine * sine).abs() <= 1e-14, "{a}");
+        }
+    }
+}

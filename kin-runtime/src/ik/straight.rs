@@ -190,3 +190,35 @@ impl<T: Float> Motions<T> {
         (step, own - pose::dot(&self.shares, &step), left)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::wrist::{Rows, Wrist, zyz};
+
+    /// Of two figures of one placement the second is not tried again; what is bent otherwise is another.
+    #[test]
+    fn bends_are_alike_where_they_differ_by_a_ten_thousandth() {
+        let placed = Placed {
+            rows: [0.1, 0.2, 0.3],
+            shoulder: 1.0,
+            elbow: 1.0,
+            shoulder_free: false,
+            elbow_free: false,
+        };
+        let rows = Rows { offset: [0.0; 3], reversed: [false; 3] };
+        let doubt = |bend: f64| {
+            let upright = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            let Wrist::Family(family) = zyz(upright, &rows) else { panic!("it is straight") };
+            Doubt { placed, family, bend }
+        };
+        for bend in [1e-14, 1e-9, 1e-4] {
+            for near in [1.0, 1.0 + 5e-5, 1.0 - 5e-5] {
+                assert!(doubt(bend).is_like(&doubt(bend * near)), "{bend:e} {near}");
+            }
+            for other in [0.0, 0.5, 1.0 - 2e-4, 1.0 + 2e-4, 3.0] {
+                assert!(!doubt(bend).is_like(&doubt(bend * other)), "{bend:e} {other}");
+            }
+        }
+    }
+}

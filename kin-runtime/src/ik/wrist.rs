@@ -199,3 +199,21 @@ fn bent<T: Float>(m: &[[T; 3]; 3], k4: &[[T; 3]; 3], k5: &[[T; 3]; 3], b: T) -> 
     let [along, across, _] = pose::transposed(&inner);
     [a, b, math::atan2(pose::dot(&across, &first), pose::dot(&along, &first))]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::Random;
+
+    #[test]
+    fn figure_angles_and_row_values_are_each_other_s_inverse() {
+        let mut random = Random(81);
+        for _ in 0..1_000 {
+            let (row, offset) = (random.angle(), random.sometimes(-3.0, 3.0));
+            for reversed in [false, true] {
+                let back = row_value(figure_angle(row, offset, reversed), offset, reversed);
+                assert!((back - row).abs() <= 4.0 * f64::EPSILON, "{row} {offset} {reversed}: {back}");
+            }
+        }
+    }
+}

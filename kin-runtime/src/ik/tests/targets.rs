@@ -1,7 +1,7 @@
 //! What can be asked for: rotations that miss being one in one way alone, sizes, and numbers that are none.
 
 use super::*;
-use crate::ik::target::{Target, distance, size};
+use crate::ik::target::{Target, distance, judged, size};
 use crate::math::Lanes;
 use crate::sample::Rotation;
 
@@ -111,4 +111,46 @@ fn poses_are_as_far_apart_as_their_entries() {
         let both = pose::from_rows([[a, b, c], [d, e, f], [g, h, i]], [x, y, z]);
         assert_eq!(target.missed_by_all(&both).0, expected);
     }
+}
+
+/// What is judged without a branch, many poses at a time, is let pass just where the careful way takes it as it is.
+#[test]
+fn a_pose_is_let_pass_where_nothing_of_it_is_mended() {
+    let mut random = Random(62);
+    let (mut passed, mut mended) = (0, 0);
+    for round in 0..20_000 {
+        let (mut rotation, mut position) = (random.rotation(), [(); 3].map(|()| random.within(-3.0, 3.0)));
+        let by = match round % 5 {
+            0 => 0.0,
+            1 => random.within(-64.0, 64.0) * EPS,
+            2 => random.within(-1.0, 1.0),
+            3 => f64::NAN,
+            _ => {
+                // A mirror image is none.
+                rotation[0] = rotation[0].map(|x| -x);
+                0.0
+            }
+        };
+        let [i, j, k] = [(); 3].map(|()| (random.bits() % 3) as usize);
+        if random.coin() || by.is_nan() {
+            rotation[i][j] += by;
+        }
+        if random.bits().is_multiple_of(8) {
+            position[k] = [1e17, 1e300, f64::INFINITY, f64::NAN][(random.bits() % 4) as usize];
+        }
+        let pose = pose::from_rows(rotation, position);
+        let (scale, refused) = judged(&pose, 1.5);
+        let as_it_is = Target::for_reach(&pose, 1.5).ok().filter(|target| target.pose == pose);
+        let square = pose::product(&rotation, &pose::transposed(&rotation));
+        let defect = off(&square, &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        match as_it_is {
+            Some(target) if refused == 0.0 => assert_eq!(scale, target.scale),
+            // The careful way looks at the columns too.
+            Some(_) => assert!(defect > 3.0 * EPS, "{pose}"),
+            None => assert!(refused > 0.0, "{pose}"),
+        }
+        passed += u32::from(refused == 0.0);
+        mended += u32::from(refused != 0.0 && Target::for_reach(&pose, 1.5).is_ok());
+    }
+    assert!(passed > 3_000 && mended > 1_000, "{passed} {mended}");
 }
