@@ -15,35 +15,39 @@ compile there is found by the compiler's own report, taken out, and told in unvi
 time, a `const fn` or an item that is no function, is told in apart.txt, for cargo-mutants itself to try. No change is on
 while arms are compiled: of those in kin-gen only the tests that call it hear.
 """
-import json, os, pathlib, re, resource, signal, subprocess, sys
+import hashlib, json, os, pathlib, re, resource, signal, subprocess, sys
 
-# The tests that reach what is changed in a crate, the quick and sharp ones first: its own, as `package::program`, and those of
-# the `tests` member.
+# The tests that may see what is changed in a crate: its own, as `package::program`, and those of the `tests` member.
 TESTS = {
     "kin-gen": ["kin-gen::algebra", "kin-gen::kin_gen", "polynomial", "fk", "jacobian", "params", "cost", "mathml"],
-    "kin-runtime": ["bits", "kin-runtime::kin_runtime", "params", "rim", "straight", "general", "short", "choice", "track",
-                    "census", "closest", "watch", "ik", "batch", "folded", "reference", "families", "shoulders", "bases",
-                    "reliability"],
+    "kin-runtime": ["kin-runtime::kin_runtime", "bits", "params", "rim", "straight", "units", "general", "short", "choice", "track",
+                    "census", "closest", "crossings", "ik", "batch", "folded", "reference", "families", "shoulders", "bases",
+                    "watch", "reliability"],
 }
-# What a file is about is asked before the others, as most changes do not outlive it.
-FIRST = {
-    "(general|sheaf|conic|quartic|lines|refine)": ["general"],
-    "closest": ["closest"],
-    "(short|freed)": ["short"],
-    "sphere": ["shoulders"],
-    "(track/|choice)": ["track", "census", "choice"],
-}
-# Dependencies only: all those changes make the solvers slow to optimise.
-OPTIMISED = ["--config", 'profile.dev.package."*".opt-level=1']
+# Slower to build, and many times as fast.
+OPTIMISED = ["--config", "profile.dev.opt-level=1"]
 SWITCH = """
-/// Which change is on.
+/// Which change is on, and, if the variable MET names a file, in it which functions with changes have been met.
 #[doc(hidden)]
 #[allow(missing_docs, unused, unreachable_pub)]
 pub mod switch {
     extern crate std;
+    use std::io::Write;
+    use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
     static ON: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
+    static MET: [AtomicBool; COUNT] = [const { AtomicBool::new(false) }; COUNT];
     #[inline(never)]
-    pub fn on() -> u32 {
+    fn meet(function: usize) {
+        if let (false, Some(file)) = (MET[function].swap(true, Relaxed), std::env::var_os("MET")) {
+            let mut file = std::fs::OpenOptions::new().append(true).create(true).open(file).unwrap();
+            file.write_all(std::format!("{function}\\n").as_bytes()).unwrap();
+        }
+    }
+    #[inline(never)]
+    pub fn on(function: usize) -> u32 {
+        if !MET[function].load(Relaxed) {
+            meet(function);
+        }
         *ON.get_or_init(|| std::env::var("CHANGE").ok().and_then(|n| n.parse().ok()).unwrap_or(0))
     }
 }
@@ -78,7 +82,8 @@ def body(text, start, end):
 
 
 def written(original, changes):
-    """The text with all changes in it, and for each change the lines that are its own."""
+    """The text with all changes in it; for each change the lines that are its own, and the first one of its function; and those
+    that cannot be in it."""
     places, functions, apart = Text(original), [], []
     for number, change in sorted(changes, key=lambda c: c[1]["function"] is None or places.span(c[1]["function"]["span"])[0]):
         if change["function"] is None:
@@ -89,7 +94,7 @@ def written(original, changes):
             functions[-1][2].append((number, change))
         else:
             functions.append((start, end, [(number, change)]))
-    pieces, own, done, line = [], {}, 0, 1
+    pieces, own, heads, done, line = [], {}, {}, 0, 1
 
     def add(piece):
         nonlocal line
@@ -102,16 +107,17 @@ def written(original, changes):
             apart += [number for number, _ in inside]
             continue
         add(original[done:first])
-        add("match crate::switch::on() {\n")
+        head = inside[0][0]
+        add(f"match crate::switch::on({head}) {{\n")
         for number, change in inside:
             a, b = places.span(change["span"])
             begin = line
             add(f"{number} => {{" + original[first:a] + change["replacement"] + " " + original[b:last] + "}\n")
-            own[number] = (begin, line - 1)
+            own[number], heads[number] = (begin, line - 1), head
         add("_ => {" + original[first:last] + "}\n}")
         done = last
     add(original[done:])
-    return "".join(pieces), own, apart
+    return "".join(pieces), own, heads, apart
 
 
 def errors(tree):
@@ -143,26 +149,28 @@ def put(path, text):
 
 
 def switched(changes, plain, tree, unviable):
-    """Writes all changes that compile into the tree; those that do not are added to the others, with the reason. Gives
-    those that must be tried alone."""
-    sources, apart = {}, set()
+    """Writes all changes that compile into the tree; those that do not are added to the others, with the reason. Gives the
+    first change of each one's function, and those that must be tried alone."""
+    sources, apart, heads = {}, set(), {}
+    switch = SWITCH.replace("COUNT", str(len(changes) + 1)).encode()
     for number, change in changes.items():
         sources.setdefault(change["file"], []).append((number, change))
     for path in plain.rglob("*"):
         file = path.relative_to(plain).as_posix()
         if path.is_file() and file not in sources:
             text = path.read_bytes()
-            put(tree / file, text + SWITCH.encode() if re.fullmatch("kin-(gen|runtime)/src/lib.rs", file) else text)
+            put(tree / file, text + switch if re.fullmatch("kin-(gen|runtime)/src/lib.rs", file) else text)
     while True:
         own = {}
         for file, inside in sources.items():
             original = (plain / file).read_text()
-            text, own[file], alone = written(original, [c for c in inside if c[0] not in unviable])
+            text, own[file], first, alone = written(original, [c for c in inside if c[0] not in unviable])
             put(tree / file, text.encode())
             apart.update(alone)
+            heads.update(first)
         wrong = errors(tree)
         if not wrong:
-            return apart
+            return heads, apart
         before = len(unviable)
         for file, line, message in wrong:
             for number, (first, last) in own.get(file, {}).items():
@@ -173,72 +181,79 @@ def switched(changes, plain, tree, unviable):
             sys.exit(f"mistakes outside of every change: {wrong}")
 
 
-def programs(tree, names):
-    """The tests' programs: where each is run, its file, and how long it takes with no change on."""
-    found = {}
-    for package in sorted({name.rpartition("::")[0] or "tests" for name in names}):
-        inside = [name for name in names if (name.rpartition("::")[0] or "tests") == package]
-        targets = {name.rpartition("::")[2]: name for name in inside}
-        which = [word for target in targets
-                 for word in (["--lib"] if target == package.replace("-", "_") else ["--test", target])]
-        command = ["cargo", *OPTIMISED, "test", "--offline", "-p", package, *which, "--no-run", "--message-format", "json"]
-        run = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, text=True)
-        messages = [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]
-        if run.returncode:
-            sys.exit("".join((m.get("message") or {}).get("rendered") or "" for m in messages))
-        for message in messages:
-            name = targets.get(message["target"]["name"]) if message.get("executable") else None
-            if name:
-                wrong, took = fails(tree / package, message["executable"], 0, 1800)
-                print(f"{name}: {took:.1f} s", flush=True)
-                if wrong:
-                    sys.exit(f"{name} fails as it is: {wrong}")
-                found[name] = (tree / package, message["executable"], took)
-    return found
+class Program:
+    """A program of tests: where it is run, its file, the functions with changes that it meets, and how long it takes with no
+    change on."""
 
+    def __init__(self, name, folder, file, note):
+        self.folder, self.file = folder, file
+        self.digest = hashlib.sha256(pathlib.Path(file).read_bytes()).hexdigest()[:16]
+        note.unlink(missing_ok=True)
+        wrong, self.took = self.fails(0, 1800, MET=str(note))
+        if wrong:
+            sys.exit(f"{name} fails as it is: {wrong}")
+        self.met = {int(line) for line in note.read_text().splitlines()} if note.exists() else set()
+        print(f"{name}: {self.took:.1f} s, {len(self.met)} functions", flush=True)
 
-def fails(folder, program, change, limit):
-    """The first test that fails with the change on, "endless" after so many seconds of the processor, or None; and how many
-    it took."""
-    used = lambda: resource.getrusage(resource.RUSAGE_CHILDREN)
-    before = used()
-    # Not by the clock, which says nothing on a machine that others use too.
-    bounded = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-    run = subprocess.Popen([program], cwd=folder, env={**os.environ, "CHANGE": str(change)},
-                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=bounded)
-    wrong = None
-    for line in run.stdout:
-        failed = re.match(r"test (\S+) .*FAILED$", line)
-        if failed:
-            wrong = failed.group(1)
-            run.kill()
-            break
-    run.stdout.close()
-    if run.wait() != 0 and wrong is None:
-        wrong = "endless" if -run.returncode in (signal.SIGXCPU, signal.SIGKILL) else "crash"
-    after = used()
-    return wrong, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    def fails(self, change, limit, **more):
+        """The first test that fails with the change on, "endless" after so many seconds of the processor, or None; and how many
+        it took."""
+        def used():
+            usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return usage.ru_utime + usage.ru_stime
 
-
-def trial(tree, names, changes, caught):
-    """Those changes that none of the tests sees; what others see goes to the file."""
-    told = {line.split("\t")[0] for line in pathlib.Path(caught.name).read_text().splitlines()}
-    left = {n: change for n, change in changes.items() if change["name"] not in told}
-    missed, found = {}, programs(tree, names) if left else {}
-    for done, (number, change) in enumerate(left.items(), 1):
-        first = [name for part, about in FIRST.items() if re.search(part, change["file"]) for name in about]
-        order = sorted(found, key=lambda name: (name != names[0], name not in first, names.index(name)))
-        for name in order:
-            folder, path, took = found[name]
-            wrong = fails(folder, path, number, int(20 + 10 * took))[0]
-            if wrong:
-                print(f"{change['name']}\t{name}::{wrong}", file=caught, flush=True)
+        before = used()
+        # Not by the clock, which says nothing on a machine that others use too.
+        bounded = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+        run = subprocess.Popen([self.file], cwd=self.folder, env={**os.environ, "CHANGE": str(change), **more},
+                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=bounded)
+        wrong = None
+        for line in run.stdout:
+            failed = re.match(r"test (\S+) .*FAILED$", line)
+            if failed:
+                wrong = failed.group(1)
+                run.kill()
                 break
-        else:
-            missed[number] = change
-            print(f"not caught: {change['name']}", flush=True)
-        print(f"\r{done} of {len(left)}, {len(missed)} not caught", end="\n" if done == len(left) else "", file=sys.stderr)
-    return missed
+        run.stdout.close()
+        if run.wait() != 0 and wrong is None:
+            wrong = "endless" if -run.returncode in (signal.SIGXCPU, signal.SIGKILL) else "crash"
+        return wrong, used() - before
+
+
+def built(tree, name):
+    """The file of a program of tests."""
+    package, _, target = name.rpartition("::")
+    package = package or "tests"
+    which = ["--lib"] if target == package.replace("-", "_") else ["--test", target]
+    command = ["cargo", *OPTIMISED, "test", "--offline", "-p", package, *which, "--no-run", "--message-format", "json"]
+    run = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, text=True)
+    messages = [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]
+    if run.returncode:
+        sys.exit("".join((m.get("message") or {}).get("rendered") or "" for m in messages))
+    return tree / package, next(m["executable"] for m in messages if m.get("executable") and m["target"]["name"] == target)
+
+
+def trial(tree, names, changes, heads, out):
+    """Those changes that none of the programs sees. One program after the other is asked about what is left, if it meets the
+    function at all. Who was asked stands in a file, with what the program was then, so that it is not asked again."""
+    lines = lambda name: (out / name).read_text().splitlines() if (out / name).exists() else []
+    caught, asked = {line.split("\t")[0] for line in lines("caught.txt")}, set(lines("asked.txt"))
+    left = {n: change for n, change in changes.items() if change["name"] not in caught}
+    for name in names:
+        if not left:
+            break
+        program = Program(name, *built(tree, name), out / "met.txt")
+        ask = [n for n in left if heads[n] in program.met and f"{program.digest}\t{name}\t{left[n]['name']}" not in asked]
+        for done, n in enumerate(ask, 1):
+            print(f"\r{name}: {done} of {len(ask)}, {len(left)} left", end="\n" if done == len(ask) else "", file=sys.stderr)
+            wrong, took = program.fails(n, int(5 + 10 * program.took))
+            file, line = ("caught.txt", f"{left[n]['name']}\t{name}::{wrong}\t{took:.1f} s") if wrong else \
+                ("asked.txt", f"{program.digest}\t{name}\t{left[n]['name']}")
+            with (out / file).open("a") as told:
+                print(line, file=told)
+            if wrong:
+                del left[n]
+    return left
 
 
 def main():
@@ -248,16 +263,15 @@ def main():
     known = (out / "unviable.txt").read_text().splitlines() if (out / "unviable.txt").exists() else []
     known = dict(line.partition("\t")[::2] for line in known)
     unviable = {n: known[change["name"]] for n, change in changes.items() if change["name"] in known}
-    apart = switched(changes, plain, tree, unviable)
+    heads, apart = switched(changes, plain, tree, unviable)
     tell = lambda name, lines: (out / name).write_text("".join(line + "\n" for line in lines))
     tell("unviable.txt", [f"{changes[n]['name']}\t{unviable[n]}" for n in sorted(unviable)])
     tell("apart.txt", [changes[n]["name"] for n in sorted(apart)])
-    built = {n: change for n, change in changes.items() if n not in unviable and n not in apart}
-    print(f"{len(built)} are built in", flush=True)
+    inside = {n: change for n, change in changes.items() if n not in unviable and n not in apart}
+    print(f"{len(inside)} are built in", flush=True)
     missed = {}
-    with (out / "caught.txt").open("a") as caught:
-        for package, names in TESTS.items():
-            missed |= trial(tree, names, {n: c for n, c in built.items() if c["package"] == package}, caught)
+    for package, names in TESTS.items():
+        missed |= trial(tree, names, {n: c for n, c in inside.items() if c["package"] == package}, heads, out)
     tell("missed.txt", [change["name"] for change in missed.values()])
 
 
