@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use kin_runtime::prelude::*;
 use kin_runtime::private::SolveWrist;
 use kin_runtime::{JointKind, Singularity, Wrist};
+use tests::invented::TelescopeA;
 use tests::reliability::aim::Sights;
 use tests::reliability::subject::{ByPose, Subject, Tried};
 use tests::sample::Sampler;
@@ -114,3 +115,24 @@ macro_rules! try_all {
     };
 }
 robots::for_each!(try_all);
+
+/// Found by the program `reliability`: seen from its tool, the first figure of the base touches, and the second one, a slide that is all
+/// but pulled in, magnifies the root of its round-off once more.
+#[test]
+fn exactly_straight_shoulders_behind_two_figures_that_touch_come_back_as_families() {
+    let arm = TelescopeA;
+    let mut random = Sampler::new(42);
+    for round in 0..POSES {
+        let mut q = Joints::from(random.angles::<6>());
+        q[1] = [0.0, PI][random.below(2)];
+        q[3] = 10_f64.powf(random.between(-13.0, -7.0)) * [1.0, -1.0][random.below(2)];
+        // The shoulder's centre is then in the plane in which both hands are one.
+        q[4] = 2.121_600_797_2 * [1.0, -1.0][random.below(2)];
+        let target = arm.fk(&q);
+        let solutions = arm.ik_holding(&target, &q);
+        let near = |s: &Solution<f64, 6, _>| {
+            (s.q - q).map(|way| ((way + PI).rem_euclid(TAU) - PI).abs()).amax() < 1e-4
+        };
+        assert!(solutions.iter().any(|s| !s.is_isolated() && near(s)), "{round}: {q}\n{solutions}");
+    }
+}

@@ -108,9 +108,10 @@ impl<T: Float> Base<T> {
         }
     }
 
-    /// How much round-off of the point is magnified in the row values that are not free, about; and whether branches touch, so
-    /// that it grows to its square root and no more.
-    pub(crate) fn magnified(&self, placed: &Placed<T>) -> (T, bool) {
+    /// How much round-off of the point is magnified in the row values that are not free, about; how much of that the second figure
+    /// sees of the first, which makes no more of it than its square root; and whether branches touch, so that it grows to its
+    /// square root and no more.
+    pub(crate) fn magnified(&self, placed: &Placed<T>) -> (T, T, bool) {
         let (zero, one, reach) = (T::lit(0.0), T::lit(1.0), self.reach());
         let by = |margin: T, free| match free {
             true => zero,
@@ -127,7 +128,8 @@ impl<T: Float> Base<T> {
         let through = if aside < distance { aside / distance } else { one };
         let (first, second) =
             (by(placed.shoulder / reach, placed.shoulder_free), by(elbow, placed.elbow_free));
-        (one + first + second * (one + through * first), placed.shoulder == zero || elbow == zero)
+        let seen = through * math::min(first, T::lit(16.0) / math::sqrt(T::EPS));
+        (one + first + second * (one + through * first), seen, placed.shoulder == zero || elbow == zero)
     }
 
     /// The arm's reach.
@@ -215,8 +217,8 @@ mod tests {
             let (here, same) = (placed(&metres, p), placed(&small, p.map(|x| 1024.0 * x)));
             for (here, same) in here.iter().zip(&same) {
                 let (Some(here), Some(same)) = (here, same) else { continue };
-                let (times, touching) = metres.magnified(here);
-                assert_eq!((times, touching), small.magnified(same), "{metres:?} at {p:?}");
+                let (times, second, touching) = metres.magnified(here);
+                assert_eq!((times, second, touching), small.magnified(same), "{metres:?} at {p:?}");
                 let h = 1e-7 / times;
                 for axis in 0..3 {
                     let mut near = p;

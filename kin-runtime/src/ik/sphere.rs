@@ -7,12 +7,13 @@
 use crate::arm::{Arm, Joint, JointKind};
 use crate::ik::base::{Placed, Placements};
 use crate::ik::rim;
+use crate::ik::settle::improved;
 use crate::ik::straight::{self, Doubt};
-use crate::ik::target::{Target, accepted};
+use crate::ik::target::{Target, accepted, is_accepted};
 use crate::ik::wrist::{Wrist, WristFamily};
-use crate::ik::{Base, sliding};
+use crate::ik::{Base, SETTLED, sliding};
 use crate::math::{self, Float, Lanes, Real};
-use crate::pose::{self, Pose};
+use crate::pose::{self, Joints, Pose};
 use crate::solutions::{
     ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions,
 };
@@ -114,13 +115,16 @@ pub(crate) fn solve_placed<T: Float, V: View>(
         for (lane, (posture, plan)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
             let branch = V::branch(*posture, bend);
             let slot = match plan {
-                Plan::Try(_, margins, free) => match accepted(residuals.lane(lane)) {
-                    Ok(residual) => {
-                        let q = pose::column(q.each_ref().map(|value| value.lane(lane)));
-                        Slot::Solved(Solution { branch, q, residual, margins: *margins, free: *free })
+                Plan::Try(_, margins, free) => {
+                    let q = pose::column(q.each_ref().map(|value| value.lane(lane)));
+                    let (q, residual) = task.polished(q, residuals.lane(lane));
+                    match accepted(residual) {
+                        Ok(residual) => {
+                            Slot::Solved(Solution { branch, q, residual, margins: *margins, free: *free })
+                        }
+                        Err(reason) => Slot::Empty(reason),
                     }
-                    Err(reason) => Slot::Empty(reason),
-                },
+                }
                 Plan::Again(with) => Slot::Merged { with: *with },
                 Plan::Empty(reason) | Plan::Rim(_, _, reason) => Slot::Empty(*reason),
             };
@@ -242,6 +246,12 @@ impl<T: Float, V: View> Task<'_, T, V> {
         let q = commanded(&V::Arm::JOINTS, self.view.command(transposed(rows)));
         let reached = self.view.arm().fk(&pose::column(q));
         (q, self.target.missed_by_all(&reached))
+    }
+
+    /// A solution that misses the pose by more than the rounding of its figures, brought nearer by small steps if they can.
+    fn polished(&self, q: Joints<T, 6>, missed: T) -> (Joints<T, 6>, T) {
+        let is_rough = missed > T::lit(SETTLED) * T::EPS && is_accepted(missed);
+        if is_rough { improved(self.view.arm(), &self.target, (q, missed)) } else { (q, missed) }
     }
 
     /// The direction in which the joints may go when the sphere's outer axes coincide: whole numbers, because couplings are.

@@ -38,6 +38,10 @@ const MAGNIFIED: f64 = 8.0;
 /// And no more than so many √ε where branches of the base touch.
 const TOUCHING: f64 = 256.0;
 
+/// Or, where one figure touches and the next one, links all but folded or a slide all but pulled in, does so with what the first has
+/// left, than so many roots of that.
+const TWICE: f64 = 0.5;
+
 /// Placements within this are mostly one, seen through a base whose branches nearly touch.
 const TOGETHER: f64 = 1e-4;
 
@@ -70,10 +74,11 @@ impl<T: Float> Doubt<T> {
 
 /// Whether an angle that the sphere is bent by, or misses, may be round-off, of its own or of the base.
 pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Base<T>) -> bool {
-    let (times, touching) = base.magnified(placed);
-    let magnified = angle <= T::lit(MAGNIFIED) * T::EPS * times;
+    let (times, seen, touching) = base.magnified(placed);
+    let (root, magnified) = (math::sqrt(T::EPS), angle <= T::lit(MAGNIFIED) * T::EPS * times);
+    let twice = T::lit(TWICE) * math::sqrt(T::EPS * seen);
     angle <= T::lit(DOUBTFUL) * T::EPS
-        || magnified && (!touching || angle <= T::lit(TOUCHING) * math::sqrt(T::EPS))
+        || magnified && (!touching || angle <= math::max(T::lit(TOUCHING) * root, twice))
 }
 
 /// Whether row values of the base are mostly one placement.
