@@ -195,3 +195,76 @@ fn links_folded_beside_axis_1_come_back_on_either_side() {
         assert!(near <= 1e-9 && solutions.len() == 4, "{near:e}: {q}\n{solutions}");
     }
 }
+
+/// Whether the joints that made a pose are among its solutions, to what its last digits tell and never farther than 10²·√ε.
+fn comes_back<const N: usize, A: InverseKinematics<N>>(arm: &A, q: &Joints<f64, N>) {
+    let pose = arm.fk(q);
+    let solutions = arm.ik(&pose);
+    let near = solutions.iter().map(|s| apart(arm, &s.q, q)).fold(f64::INFINITY, f64::min);
+    let allowed = (1e3 * f64::EPSILON / dexterity(arm, q).margin).min(1e2 * f64::EPSILON.sqrt());
+    assert!(near <= allowed, "{} lost {q} by {near:e} of {allowed:e}\n{solutions}", A::NAME);
+}
+
+/// Found by the program `reliability`: beside axis 1 the orientation tells one side, from which small steps come near enough to the pose;
+/// the figures lead to the other, which reaches it.
+#[test]
+fn what_comes_near_enough_does_not_hide_what_reaches() {
+    let found = [
+        [
+            0x3fe0_a123_0eca_4b20,
+            0x3ffa_3340_47fc_c433,
+            0xbd06_849b_86a1_2b9b,
+            0xc006_9bce_2ecf_7082,
+            0x4006_9689_26d5_2ed6,
+        ],
+        [
+            0xc007_efec_e32a_10d4,
+            0xbffa_3340_47fc_c447,
+            0x3d01_557f_7fca_ee2d,
+            0x3ff1_a060_55fa_92e4,
+            0xbff9_a1cf_6f64_69c5,
+        ],
+        [
+            0xbff6_9aab_8c55_75a3,
+            0xc009_21fa_b03c_61bd,
+            0x4009_21fb_61b0_2665,
+            0xbffe_5d7a_8866_1627,
+            0xbfe0_dc3b_6753_7f9c,
+        ],
+        [
+            0x4008_0678_d728_6988,
+            0xc009_21fa_ffe4_bd7f,
+            0x4009_21fb_5c6a_5eba,
+            0x4006_b475_d214_5a46,
+            0x4006_bced_54b3_2860,
+        ],
+        [
+            0x4001_54ae_f644_a074,
+            0x4009_21fa_b9f5_877e,
+            0x4009_21fb_46d8_33cb,
+            0x4004_3a7c_bffb_1390,
+            0x4009_21fb_46d8_33cb,
+        ],
+    ];
+    for bits in found {
+        comes_back(&RollRrrrr, &Joints::from(bits.map(f64::from_bits)));
+    }
+}
+
+/// The slide all but drawn in, and axis 5 all but in the plane of axes 2 and 4: the orientation tells two values of joint 2 that are one but
+/// for what the slide and joint 1 take of it.
+#[test]
+fn two_ways_that_are_all_but_one_beside_axis_2_both_come_back() {
+    let mut random = Sampler::new(79);
+    for _ in 0..POSES {
+        let size = |random: &mut Sampler, from: f64, to: f64| {
+            10_f64.powf(random.between(from, to)) * [1.0, -1.0][random.below(2)]
+        };
+        let [first, last, ..] = random.angles::<6>();
+        // Level the slide would move the point as joint 1 does.
+        let second = random.between(-1.4, 1.4) + [0.0, PI][random.below(2)];
+        let slide = size(&mut random, -14.5, -5.5);
+        let plane = [0.0, PI][random.below(2)] + size(&mut random, -17.0, -4.5);
+        comes_back(&SlidingRrprr, &joints![first, second, slide, plane, last]);
+    }
+}

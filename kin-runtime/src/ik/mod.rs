@@ -11,7 +11,8 @@
 //!   poses of a batch (`abreast`). `figure` is the angles there, which come with their sines.
 //! * [`spherical_shoulder`]: the same arms seen from the other end, where the first three axes meet.
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
-//! * [`short`]: poses of arms with two to five joints; `freed`, where the place of the point leaves joints free.
+//! * [`short`]: poses of arms with two to five joints; `freed`, where the place of the point leaves joints free; `attempt`, what steps
+//!   make of what was read.
 //! * [`closest`]: the nearest that a base comes to what it does not reach.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
 //!
@@ -30,6 +31,7 @@
 //! * [`ACCEPTED`]: forward kinematics of a solution must come back to the pose within this.
 
 mod abreast;
+mod attempt;
 pub mod base;
 mod bends;
 pub mod closest;

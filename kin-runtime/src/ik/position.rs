@@ -14,6 +14,9 @@ use nalgebra::Point3;
 /// The angle from folded, or the extension over the reach, below which the links may bring the point beside axis 2.
 const FOLDED: f64 = 1.0 / 64.0;
 
+/// How far from axis 2 that is where the figure of joint 1 touches, times the fourth root of ε and the size.
+const TWICE: f64 = 0.25;
+
 /// The joints that carry a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Carrier<T> {
@@ -43,8 +46,16 @@ impl<T: Float> Carrier<T> {
     /// Whether the point is so near the axes of joints 1 and 2 that its place says next to nothing of them: where two ways meet, the
     /// figures know it to the root of their round-off.
     pub(crate) fn beside(&self, placed: &Placed<T>, size: T) -> [bool; 2] {
-        let near = T::lit(SLACK) * math::sqrt(T::EPS) * size;
-        let is_near = |axis: &Axis<T>, point| !axis.slides && length(axis.arm(point)) <= near;
+        let root = math::sqrt(T::EPS);
+        let near = T::lit(SLACK) * root * size;
+        // Where the figure of joint 1 touches, its own round-off is that root, and seen from axis 2 it counts as long as it is more
+        // than what two solutions may be apart.
+        let near_second = if placed.shoulder <= near {
+            math::max(near, T::lit(TWICE) * math::sqrt(root) * size)
+        } else {
+            near
+        };
+        let is_near = |axis: &Axis<T>, point, near| !axis.slides && length(axis.arm(point)) <= near;
         let [_, t2, t3] = placed.rows;
         match self {
             Carrier::Three(base) => {
@@ -60,7 +71,7 @@ impl<T: Float> Carrier<T> {
                 let base = base.lines();
                 let ([first, second, third], [_, o2, o3]) = (&base.axes, base.offset);
                 let lifted = third.moved(base.carried, t3 + o3);
-                [is_near(first, second.moved(lifted, t2 + o2)), is_near(second, lifted)]
+                [is_near(first, second.moved(lifted, t2 + o2), near), is_near(second, lifted, near_second)]
             }
             // The shoulder of a pair is the distance from axis 1.
             Carrier::Two(_) => [placed.shoulder <= near, false],

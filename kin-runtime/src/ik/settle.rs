@@ -26,6 +26,10 @@ const VAIN: usize = 12;
 /// Steps that a residual is given to come down to round-off, once it is good enough.
 const POLISH: usize = 3;
 
+/// Steps that may miss by more than is good enough once one was: beside a double root joint values that nearly reach the pose may
+/// be half a millionth from it, and the way there, halved with each step, misses by its square.
+const DETOUR: usize = 8;
+
 /// Directions of one step: as many as a Jacobian has rows, and two to make up for rounding.
 const DIRECTIONS: usize = 8;
 
@@ -40,7 +44,7 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
     let target = Target::for_reach(pose, reach).ok()?;
     let mut q = pose::entries(q);
     let (mut best, mut polish): (Option<(Joints<T, N>, T)>, usize) = (None, POLISH);
-    let (mut least, mut vain) = (T::lit(f64::INFINITY), 0);
+    let (mut least, mut vain, mut detour) = (T::lit(f64::INFINITY), 0, DETOUR);
     for _ in 0..STEPS {
         let (at, jacobian) = arm.fk_jacobian(&pose::column(q));
         // What is checked is what would be given out.
@@ -54,7 +58,10 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
             }
             polish -= 1;
         } else if best.is_some() {
-            break;
+            if detour == 0 {
+                break;
+            }
+            detour -= 1;
         }
         let (jacobian, error) = (scaled(&jacobian, reach), error(&target.pose, &at, reach));
         let size = product(&error, &error);
@@ -104,6 +111,19 @@ pub(crate) fn improved<T: Float, const N: usize, A: Arm<N>>(
         (q, residual) = nearer;
     }
     (q, residual)
+}
+
+/// Joint values farther by so much in the direction that moves the tool least.
+pub(crate) fn moved_least<T: Float, const N: usize, A: Arm<N>>(
+    arm: &A,
+    q: &Joints<T, N>,
+    by: T,
+) -> Joints<T, N> {
+    let mut moved = pose::entries(q);
+    if let Some(least) = directions(&scaled(&arm.jacobian(q), T::lit(arm.reach()))).last() {
+        add(&mut moved, &least.turn, by);
+    }
+    pose::column(moved)
 }
 
 /// How the tool must move, as the rows of the Jacobian count: a length in parts of the reach, then a turn.

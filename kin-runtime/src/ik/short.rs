@@ -8,22 +8,26 @@
 //! Where the point lies on the axes of joints that carry it, so that its place leaves them free, the orientation tells their values:
 //! `freed`.
 
+use crate::ik::attempt::Attempt;
 use crate::ik::base::Placed;
 use crate::ik::general::SLACK;
-use crate::ik::settle::{improved, settle};
+use crate::ik::settle::{improved, moved_least, settle};
 use crate::ik::target::{Target, distance};
 use crate::ik::{ACCEPTED, Carrier, SETTLED, finite, given_out, sliding};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Carried, SolveShort};
 use crate::solutions::{
-    ArmPosture, Boundary, Elbow, Free, Margins, Reason, Shoulder, Slot, Solution, Solutions,
+    ArmPosture, Boundary, Elbow, Free, Margins, Reason, Shoulder, Slot, Solution, Solutions, tolerance,
 };
 
 /// How far joint values that were read from figures may miss the pose and still be led onto it, as the largest entry of a
 /// rotation or of a position over the reach. Beside an axis the direction to the point is its own round-off over its distance: just
 /// outside the window in which that joint counts as free an eighth of a radian.
 const ASTRAY: f64 = 0.25;
+
+/// Between two solutions that were one the joints are about so many times the root of what they miss from either, or less.
+const ASIDE: f64 = 32.0;
 
 /// The joints that turn the tool about the carried point, and how their angles are read from a rotation m.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -111,33 +115,20 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
     let [first, _] = held;
     let task = Task { arm, carrier, target, turns: arm.turns(), held: first.is_some() };
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
-    for branch in B::ALL {
+    let mut others = [[None; 2]; 4];
+    for (branch, others) in B::ALL.iter().zip(&mut others) {
         let slot = match branch.base().pick(placements.each_ref()) {
             Err(reason) => Slot::Empty(*reason),
-            Ok(placed) => task.completed(*branch, placed),
+            Ok(placed) => task.completed(*branch, placed, others),
         };
         solutions.put(*branch, slot);
     }
     solutions.merge(task.carrier.reach());
-    solutions
-}
-
-/// Joint values of one placement, and what was made of them.
-#[derive(Clone, Copy)]
-struct Attempt<T, const N: usize> {
-    q: Joints<T, N>,
-    missed: T,
-    free: Free<N>,
-    /// As they were read from the figures.
-    read: Joints<T, N>,
-    /// Whether they are farther from there than the rounding of regular figures explains.
-    strayed: bool,
-}
-
-impl<T: Float, const N: usize> Attempt<T, N> {
-    fn reaches(&self) -> bool {
-        self.missed <= T::lit(SETTLED) * T::EPS
+    let near = T::lit(SLACK) * math::sqrt(T::EPS);
+    for other in others.into_iter().flatten().flatten() {
+        solutions.add(other, near);
     }
+    solutions
 }
 
 /// What is asked of an arm.
@@ -151,8 +142,14 @@ pub(super) struct Task<'a, T: Float, A> {
 }
 
 impl<T: Float, A> Task<'_, T, A> {
-    /// A placement of the point with the turns that the pose asks for, if together they reach it.
-    fn completed<const N: usize, B: Carried>(&self, branch: B, placed: &Placed<T>) -> Slot<T, N, B>
+    /// A placement of the point with the turns that the pose asks for, if together they reach it. Beside an axis it may lead to
+    /// more than one solution: `others`.
+    fn completed<const N: usize, B: Carried>(
+        &self,
+        branch: B,
+        placed: &Placed<T>,
+        others: &mut [Option<Solution<T, N, B>>; 2],
+    ) -> Slot<T, N, B>
     where
         A: SolveShort<N>,
     {
@@ -160,16 +157,21 @@ impl<T: Float, A> Task<'_, T, A> {
         let free = [placed.shoulder_free, placed.elbow_free];
         let (base, left) = self.oriented(posture, rows, free);
         let own = self.attempt(base, left);
-        let best = match self.carrier.beside(placed, self.target.scale) {
-            [false, false] => own,
-            _ if own.reaches() && own.free != Free::NOTHING => own,
+        let (best, rest) = match self.carrier.beside(placed, self.target.scale) {
+            [false, false] => (own, [None; 2]),
+            _ if own.reaches() && own.free != Free::NOTHING => (own, [None; 2]),
             beside => self.beside(posture, rows, beside, own),
         };
-        let Attempt { q, missed, free, read, .. } = best;
         let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
+        let solution = |attempt: &Attempt<T, N>| {
+            let Attempt { q, missed: residual, free, .. } = *attempt;
+            Solution { branch, q, residual, margins, free }
+        };
         if best.reaches() {
-            return Slot::Solved(Solution { branch, q, residual: missed, margins, free });
+            *others = rest.map(|attempt| attempt.as_ref().map(solution));
+            return Slot::Solved(solution(&best));
         }
+        let Attempt { missed, read, .. } = best;
         // What the pose asks too much of is told of the figures: a compromise would blame a little of everything.
         Slot::Empty(if math::is_finite(missed) {
             self.reason(&self.arm.fk(&read), missed)
@@ -179,14 +181,15 @@ impl<T: Float, A> Task<'_, T, A> {
     }
 
     /// Beside an axis the rounding of the figures has left little of that joint: it is as good as free, and asked of the
-    /// orientation. If that does not tell it either, small steps begin on either side of the axis, then between them.
+    /// orientation. If that does not tell it either, small steps begin on either side of the axis, then between them. What the
+    /// figures lead to may be another solution than what the orientation tells, and that may be one of two.
     fn beside<const N: usize>(
         &self,
         posture: ArmPosture,
         rows: [T; 3],
         [first, second]: [bool; 2],
         own: Attempt<T, N>,
-    ) -> Attempt<T, N>
+    ) -> (Attempt<T, N>, [Option<Attempt<T, N>>; 2])
     where
         A: SolveShort<N>,
     {
@@ -195,13 +198,20 @@ impl<T: Float, A> Task<'_, T, A> {
             if free != [false; 2] && left == Free::NOTHING {
                 let told = self.attempt(base, left);
                 if told.reaches() {
-                    return told;
+                    // What steps have led farther, or just near enough to be accepted, may have missed what the figures lead to.
+                    let rough =
+                        told.moved::<A>() > own.moved::<A>() || told.missed > T::lit(4.0) * own.missed;
+                    let (best, other) = if own.reaches() && rough { (own, told) } else { (told, own) };
+                    return (
+                        best,
+                        [Some(other), self.mirrored(&told)].map(|other| other.filter(Attempt::reaches)),
+                    );
                 }
             }
         }
         let opposite = [first && posture.shoulder == Shoulder::Left, second && posture.elbow == Elbow::Down];
         if own.reaches() && (!own.strayed || opposite == [false; 2]) {
-            return own;
+            return (own, [None; 2]);
         }
         let ([t1, t2, t3], [opposite1, opposite2]) = (rows, opposite);
         let half = math::half_turn::<T>();
@@ -213,10 +223,25 @@ impl<T: Float, A> Task<'_, T, A> {
             let aside = self
                 .attempt([turned(t1, first, opposite1), turned(t2, second, opposite2), t3], Free::NOTHING);
             if aside.reaches() {
-                return aside;
+                return (aside, [None; 2]);
             }
         }
-        own
+        (own, [None; 2])
+    }
+
+    /// From where the orientation is met best two solutions are as far on either side: the other one, if small steps have led
+    /// to either.
+    fn mirrored<const N: usize>(&self, told: &Attempt<T, N>) -> Option<Attempt<T, N>>
+    where
+        A: SolveShort<N>,
+    {
+        let mut start = pose::entries(&told.read);
+        for (value, way) in start.iter_mut().zip(told.way::<A>()) {
+            *value -= way;
+        }
+        let moved = told.moved::<A>();
+        let apart = moved > tolerance::<T>() && moved <= T::lit(ASTRAY);
+        apart.then(|| self.led(given_out(start, &A::JOINTS), told.free))
     }
 
     /// The turns that the pose asks for once the point is in its place, and all joints settled on it together if they are near:
@@ -225,7 +250,14 @@ impl<T: Float, A> Task<'_, T, A> {
     where
         A: SolveShort<N>,
     {
-        let read = self.joints(base);
+        self.led(self.joints(base), free)
+    }
+
+    /// Joint values settled on the pose, if they are near.
+    fn led<const N: usize>(&self, read: Joints<T, N>, free: Free<N>) -> Attempt<T, N>
+    where
+        A: SolveShort<N>,
+    {
         let missed = self.target.missed_by(&self.arm.fk(&read));
         let mut found = (read, missed);
         if missed <= T::lit(ASTRAY) {
@@ -234,12 +266,17 @@ impl<T: Float, A> Task<'_, T, A> {
         let (q, missed) = found;
         let near = T::lit(SLACK) * math::sqrt(T::EPS);
         if missed > T::lit(SETTLED) * T::EPS && missed <= near {
-            // Steps that all come nearer end where two directions are lost together; those that need not do so end on the pose.
-            if let Some((q, settled)) = settle(self.arm, &self.target.pose, &q)
-                && settled < missed
-            {
-                let q = given_out(pose::entries(&q), &A::JOINTS);
-                return Attempt { q, missed: settled, free: Free::NOTHING, read, strayed: true };
+            // Steps that all come nearer end where two directions are lost together; those that need not do so end on the pose. Exactly
+            // between two solutions no step tells where either is: then from one side.
+            for by in [T::lit(0.0), T::lit(ASIDE) * math::sqrt(missed)] {
+                let start = if by > T::lit(0.0) { moved_least(self.arm, &q, by) } else { q };
+                if let Some((q, settled)) = settle(self.arm, &self.target.pose, &start)
+                    && settled < missed
+                    && (settled <= T::lit(SETTLED) * T::EPS || by > T::lit(0.0))
+                {
+                    let q = given_out(pose::entries(&q), &A::JOINTS);
+                    return Attempt { q, missed: settled, free: Free::NOTHING, read, strayed: true };
+                }
             }
         }
         Attempt { q, missed, free, read, strayed: false }

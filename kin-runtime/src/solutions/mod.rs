@@ -278,7 +278,10 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
 
     /// Empties each slot whose joints are those of an earlier one, and says so.
     pub(crate) fn merge(&mut self, reach: T) {
-        let tolerance = tolerance::<T>() * self.unit(reach);
+        self.merge_within(tolerance::<T>() * self.unit(reach));
+    }
+
+    fn merge_within(&mut self, tolerance: T) {
         for (count, branch) in B::ALL.iter().enumerate() {
             let (before, rest) = self.slots().split_at(count.min(self.slots().len()));
             let Some(later) = rest.first().and_then(Slot::solution) else { continue };
@@ -297,6 +300,22 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
             {
                 self.put(*branch, Slot::Merged { with: holder });
             }
+        }
+    }
+
+    /// Puts a solution that no slot holds, nor one within `near` of it, where another branch's was merged or where none is; if all slots
+    /// are taken, where two are as near each other. Not beside a family, which may hold it.
+    pub(crate) fn add(&mut self, solution: Solution<T, N, B>, near: T) {
+        if self.iter().any(|other| !other.is_isolated() || self.same(&other.q, &solution.q, near)) {
+            return;
+        }
+        if self.slots().iter().all(|slot| slot.solution().is_some()) {
+            self.merge_within(near);
+        }
+        let is_merged = |branch: &&B| matches!(self.get(**branch), Slot::Merged { .. });
+        let is_empty = |branch: &&B| matches!(self.get(**branch), Slot::Empty(_));
+        if let Some(branch) = B::ALL.iter().find(is_merged).or_else(|| B::ALL.iter().find(is_empty)) {
+            self.put(*branch, Slot::Solved(Solution { branch: *branch, ..solution }));
         }
     }
 

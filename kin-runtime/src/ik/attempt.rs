@@ -1,0 +1,42 @@
+//! What small steps have made of joint values that were read from figures: for arms of [two to five joints](super::short).
+
+use crate::arm::JointKind;
+use crate::ik::SETTLED;
+use crate::math::{self, Float};
+use crate::pose::{self, Joints};
+use crate::private::SolveShort;
+use crate::solutions::Free;
+
+/// Joint values of one placement, and what was made of them.
+#[derive(Clone, Copy)]
+pub(super) struct Attempt<T, const N: usize> {
+    pub(super) q: Joints<T, N>,
+    pub(super) missed: T,
+    pub(super) free: Free<N>,
+    /// As they were read from the figures.
+    pub(super) read: Joints<T, N>,
+    /// Whether they are farther from there than the rounding of regular figures explains.
+    pub(super) strayed: bool,
+}
+
+impl<T: Float, const N: usize> Attempt<T, N> {
+    pub(super) fn reaches(&self) -> bool {
+        self.missed <= T::lit(SETTLED) * T::EPS
+    }
+
+    /// The way from the values that were read to these.
+    pub(super) fn way<A: SolveShort<N>>(&self) -> [T; N] {
+        let mut way = pose::entries(&(self.q - self.read));
+        for (way, joint) in way.iter_mut().zip(&A::JOINTS) {
+            if joint.kind == JointKind::Revolute {
+                *way = math::wrap(*way);
+            }
+        }
+        way
+    }
+
+    /// How far that is.
+    pub(super) fn moved<A: SolveShort<N>>(&self) -> T {
+        self.way::<A>().into_iter().fold(T::lit(0.0), |most, way| math::max(most, math::abs(way)))
+    }
+}
