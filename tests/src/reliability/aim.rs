@@ -24,8 +24,8 @@ pub struct Sights {
     /// The row of the middle joint of a spherical wrist, or shoulder, and its value where the three axes lie in one plane; half a
     /// turn from there they do so again.
     straight: Option<(usize, f64)>,
-    /// The range of each row value.
-    ranges: Vec<(f64, f64)>,
+    /// The range of each row value; none for an angle, which may be any.
+    ranges: Vec<Option<(f64, f64)>>,
 }
 
 /// What collapses.
@@ -60,7 +60,7 @@ impl Sights {
         figures: Figures,
         base: [usize; 3],
         straight: Option<(usize, f64)>,
-        ranges: Vec<(f64, f64)>,
+        ranges: Vec<Option<(f64, f64)>>,
     ) -> Sights {
         Sights { figures, base, straight, ranges }
     }
@@ -78,8 +78,9 @@ impl Sights {
     /// The row values of one try: a quarter of them anywhere, the others at singular sets.
     pub fn row_values(&self, random: &mut Sampler) -> [f64; 6] {
         let mut rows = [0.0; 6];
-        for (row, (low, high)) in rows.iter_mut().zip(&self.ranges) {
-            *row = random.between(*low, *high);
+        for (row, range) in rows.iter_mut().zip(&self.ranges) {
+            let (low, high) = range.unwrap_or((-PI, PI));
+            *row = random.between(low, high);
         }
         if random.below(4) == 0 {
             return rows;
@@ -95,7 +96,11 @@ impl Sights {
             }
             None if sets & 1 != 0 => {
                 let row = random.below(self.ranges.len());
-                rows[row] = FRAC_PI_2 * (random.below(4) as f64 - 1.0) + wrist;
+                let quarter = FRAC_PI_2 * (random.below(4) as f64 - 1.0) + wrist;
+                // As a length it would be several times the reach of a small arm.
+                if self.ranges[row].is_none() {
+                    rows[row] = quarter;
+                }
             }
             _ => {}
         }

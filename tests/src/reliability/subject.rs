@@ -129,12 +129,12 @@ impl<const N: usize, A: Arm<N>, K> Arm<N> for Tried<A, K> {
     }
 }
 
-/// Any angle for a turning joint; for a sliding one its range, or half the reach to either side.
-fn ranges<const N: usize, A: Arm<N>>(arm: &A) -> Vec<(f64, f64)> {
+/// Of a sliding joint its range, or half the reach to either side; none of a turning one.
+fn ranges<const N: usize, A: Arm<N>>(arm: &A) -> Vec<Option<(f64, f64)>> {
     let half = 0.5 * arm.reach();
     let range = |joint: usize| match A::JOINTS[joint].kind {
-        JointKind::Prismatic => arm.limits().range(joint).unwrap_or((-half, half)),
-        JointKind::Revolute => (-std::f64::consts::PI, std::f64::consts::PI),
+        JointKind::Prismatic => Some(arm.limits().range(joint).unwrap_or((-half, half))),
+        JointKind::Revolute => None,
     };
     (0..N).map(range).collect()
 }
