@@ -73,8 +73,8 @@ fn page(run: &Run<'_>) -> String {
         (_, Some(timed)) => {
             let _ = write!(
                 text,
-                "Single calls use no instructions but those that the program is built for. The same ways, all of them built \
-                 with `-C target-cpu={LEVEL}`, in a run of their own (`-- --report --v3`).\n\n"
+                "Single calls use no instructions but those that the program is built for, except `ik`, which asks for AVX2. \
+                 The same ways, all of them built with `-C target-cpu={LEVEL}`, in a run of their own (`-- --report --v3`).\n\n"
             );
             tables(&mut text, timed);
         }
