@@ -243,7 +243,7 @@ const STEADY: &str = "
 `cargo run --release -p tests --bin steady` counts the instructions of `ik` and `ik_position` for 1,000 poses of each arm with
 callgrind, three in four of them aimed at singular sets, families among them. For a given arm and number of solutions (a double
 one counts as two) the worst case is asked to be at most 1.5 times the median; the program fails where it is more. Poses that are
-far from every singular set take a short way, an eighth to a fifth of the time: where they are most of a group, the median is
+far from every singular set take a short way, a tenth to a seventh of the time: where they are most of a group, the median is
 theirs, and singular poses are many times as much. General bases, aimed at where their determinant vanishes, miss it too.
 
 ";
