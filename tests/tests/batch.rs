@@ -230,6 +230,10 @@ where
     poses[78].translation.vector *= T::lit(1e30);
     for set in Instructions::ALL {
         let mut solutions = vec![None; poses.len()];
+        // Places are used again: what other poses have left there must not be seen.
+        poses.rotate_left(13);
+        Run::new().at_most(set).ik(arm, &poses, &mut solutions).unwrap();
+        poses.rotate_left(1);
         Run::new().at_most(set).ik(arm, &poses, &mut solutions).unwrap();
         for (pose, found) in poses.iter().zip(&solutions) {
             let (found, alone) = (found.as_ref().unwrap(), arm.ik(pose));
