@@ -91,10 +91,10 @@ impl Printer<'_> {
         self.method(text, what, &solver.wrist_matrix, Given::Rotation("r36"), Gives::Rows);
         self.turned(text, "WRIST", &solver.wrist_rotation, Given::RowsAndPose(0, 3), Gives::Matrix);
         self.turned(text, "FK", fk, Given::Joints, Gives::Pose);
-        line!(text, "const COUPLED: bool = {};", !is_identity(&self.arm.couple));
+        let coupled = !is_identity(&self.arm.couple);
+        line!(text, "const COUPLED: bool = {coupled};");
         let wrist = &solver.wrist_rotation.turns;
         self.known(text, "WRIST", wrist.iter().map(of_rows).collect());
-        let coupled = !is_identity(&self.arm.couple);
         let known = |turn: &Turn| match wrist.iter().position(|known| known == turn) {
             // Forward kinematics turns by what is commanded, the wrist by row values.
             _ if coupled => "Nothing".to_owned(),
