@@ -1,7 +1,6 @@
 //! What small steps have made of joint values that were read from figures: for arms of [two to five joints](super::short).
 
-use crate::arm::JointKind;
-use crate::ik::SETTLED;
+use crate::ik::{SETTLED, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints};
 use crate::private::SolveShort;
@@ -25,18 +24,13 @@ impl<T: Float, const N: usize> Attempt<T, N> {
     }
 
     /// The way from the values that were read to these.
-    pub(super) fn way<A: SolveShort<N>>(&self) -> [T; N] {
-        let mut way = pose::entries(&(self.q - self.read));
-        for (way, joint) in way.iter_mut().zip(&A::JOINTS) {
-            if joint.kind == JointKind::Revolute {
-                *way = math::wrap(*way);
-            }
-        }
-        way
+    pub(super) fn way<A: SolveShort<N>>(&self) -> Joints<T, N> {
+        given_out(pose::entries(&(self.q - self.read)), &A::JOINTS)
     }
 
     /// How far that is.
     pub(super) fn moved<A: SolveShort<N>>(&self) -> T {
-        self.way::<A>().into_iter().fold(T::lit(0.0), |most, way| math::max(most, math::abs(way)))
+        let way = pose::entries(&self.way::<A>());
+        way.into_iter().fold(T::lit(0.0), |most, way| math::max(most, math::abs(way)))
     }
 }

@@ -235,10 +235,7 @@ impl<T: Float, A> Task<'_, T, A> {
     where
         A: SolveShort<N>,
     {
-        let mut start = pose::entries(&told.read);
-        for (value, way) in start.iter_mut().zip(told.way::<A>()) {
-            *value -= way;
-        }
+        let start = pose::entries(&(told.read - told.way::<A>()));
         let moved = told.moved::<A>();
         let apart = moved > tolerance::<T>() && moved <= T::lit(ASTRAY);
         apart.then(|| self.led(given_out(start, &A::JOINTS), told.free))
