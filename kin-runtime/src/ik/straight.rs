@@ -74,11 +74,15 @@ impl<T: Float> Doubt<T> {
 
 /// Whether an angle that the sphere is bent by, or misses, may be round-off, of its own or of the base.
 pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Base<T>) -> bool {
+    if angle <= T::lit(DOUBTFUL) * T::EPS {
+        return true;
+    }
     let (times, seen, touching) = base.magnified(placed);
-    let (root, magnified) = (math::sqrt(T::EPS), angle <= T::lit(MAGNIFIED) * T::EPS * times);
-    let twice = T::lit(TWICE) * math::sqrt(T::EPS * seen);
-    angle <= T::lit(DOUBTFUL) * T::EPS
-        || magnified && (!touching || angle <= math::max(T::lit(TOUCHING) * root, twice))
+    // Roots are taken last: few angles come so far.
+    angle <= T::lit(MAGNIFIED) * T::EPS * times
+        && (!touching
+            || angle <= T::lit(TOUCHING) * math::sqrt(T::EPS)
+            || angle <= T::lit(TWICE) * math::sqrt(T::EPS * seen))
 }
 
 /// Whether row values of the base are mostly one placement.
