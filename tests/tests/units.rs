@@ -242,24 +242,21 @@ fn tracks<const N: usize, A: InverseKinematics<N>>(metres: &A, small: &A) {
     }
 }
 
+/// A check of arms in metres and in the smaller unit.
+macro_rules! in_both_units {
+    ($check:ident: $($arm:ident),*) => {
+        $($check(&$arm::default(), &$arm { u: 0.01 * SMALLER });)*
+    };
+}
+
 #[test]
 fn solutions_are_the_same_in_any_unit() {
-    solutions(&Elbow::default(), &Elbow { u: 0.01 * SMALLER });
-    solutions(&Telescope::default(), &Telescope { u: 0.01 * SMALLER });
-    solutions(&Skew::default(), &Skew { u: 0.01 * SMALLER });
-    solutions(&Gantry::default(), &Gantry { u: 0.01 * SMALLER });
-    solutions(&Ball::default(), &Ball { u: 0.01 * SMALLER });
-    solutions(&Scara::default(), &Scara { u: 0.01 * SMALLER });
-    solutions(&Roll::default(), &Roll { u: 0.01 * SMALLER });
+    in_both_units!(solutions: Elbow, Telescope, Skew, Gantry, Ball, Scara, Roll);
 }
 
 #[test]
 fn paths_are_followed_in_the_same_way_in_any_unit() {
-    tracks(&Elbow::default(), &Elbow { u: 0.01 * SMALLER });
-    tracks(&Telescope::default(), &Telescope { u: 0.01 * SMALLER });
-    tracks(&Gantry::default(), &Gantry { u: 0.01 * SMALLER });
-    tracks(&Ball::default(), &Ball { u: 0.01 * SMALLER });
-    tracks(&Scara::default(), &Scara { u: 0.01 * SMALLER });
+    in_both_units!(tracks: Elbow, Telescope, Gantry, Ball, Scara);
 }
 
 /// A tool that turns about its own tip stays in its place but for what the joints bend the way between two poses: little beside
