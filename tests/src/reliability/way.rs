@@ -1,8 +1,9 @@
 //! Whether a pose can tell two joint vectors apart at all: not if a way leads from one to the other on which it is reached.
 //!
-//! The way is found by halving. Each end is first moved towards the other along the directions that the arm has lost there, as far as
-//! the pose allows. The middle of the two is brought back onto the pose by damped least-squares steps, and each half is halved in
-//! its turn, until all pieces are short and their middles lie where they would if the piece were straight, but for a tenth of its length.
+//! The way is found by halving. The middle of its ends is brought back onto the pose by damped least-squares steps, and each half is
+//! halved in its turn, until all pieces are short and their middles lie where they would if the piece were straight, but for a tenth of
+//! its length. Where that fails each end is first moved towards the other along the directions that the arm has lost there, as far as the
+//! pose allows.
 //! At each point of the way forward kinematics meets the pose within what a solution may miss, so that each is as good a solution as
 //! either end, and a solver that is given the rounded pose, and nothing else, has no means of preferring one. There are more points than
 //! any arm of six joints has isolated solutions. How they are found does not matter to that; a way that is not found is held against
@@ -30,16 +31,30 @@ const TRIED: usize = 1500;
 /// A direction with a smaller singular value is lost.
 const LOST: f64 = 1e-5;
 
-/// How points are brought back: the shortest step is made that leaves this part of what is missed, where moves of the first and of the
-/// second half of the joints count as so much shorter than they are. A way that is not found in one manner may be in another.
-const MANNERS: [(f64, [f64; 2]); 7] = [
-    (0.1, [1.0, 1.0]),
-    (0.01, [1.0, 1.0]),
-    (0.5, [1.0, 1.0]),
-    (1e-4, [1.0, 1.0]),
-    (0.1, [0.01, 1.0]),
-    (0.1, [1.0, 0.01]),
-    (0.01, [1e-4, 1.0]),
+/// A singular value whose square is less than this counts for nothing in a [quick](Manner::Quick) step.
+const DULL: f64 = 1e-14;
+
+/// How points are brought back. A way that is not found in one manner may be in another.
+#[derive(Clone, Copy)]
+enum Manner {
+    /// By least squares, damped by the square of what is missed: such steps close in quadratically on solutions that are not isolated
+    /// (Yamashita and Fukushima 2001). Nearly all ways that there are are found so, and without the singular values.
+    Quick,
+    /// By the shortest step that leaves the part `left` of what is missed, where moves of the first and of the second half of the joints
+    /// count as so much shorter than they are, and from ends that have moved towards each other.
+    Shortest { left: f64, ease: [f64; 2] },
+}
+
+/// All of them, the quickest first.
+const MANNERS: [Manner; 8] = [
+    Manner::Quick,
+    Manner::Shortest { left: 0.1, ease: [1.0, 1.0] },
+    Manner::Shortest { left: 0.01, ease: [1.0, 1.0] },
+    Manner::Shortest { left: 0.5, ease: [1.0, 1.0] },
+    Manner::Shortest { left: 1e-4, ease: [1.0, 1.0] },
+    Manner::Shortest { left: 0.1, ease: [0.01, 1.0] },
+    Manner::Shortest { left: 0.1, ease: [1.0, 0.01] },
+    Manner::Shortest { left: 0.01, ease: [1e-4, 1.0] },
 ];
 
 /// An arm in doubles, whoever it is: turns in radians, slides in reaches.
@@ -117,8 +132,8 @@ pub fn leads<const N: usize>(
     ends: &[Joints<f64, N>],
     window: f64,
 ) -> bool {
-    let search = |(left, ease)| Search { arm, target, window, left, ease };
-    ends.iter().any(|to| search(MANNERS[0]).straight(from, &between(arm, from, to)))
+    let search = |manner| Search { arm, target, window, manner };
+    ends.iter().any(|to| search(Manner::Quick).straight(from, &between(arm, from, to)))
         || MANNERS.into_iter().any(|manner| ends.iter().any(|to| search(manner).halved(*from, *to)))
 }
 
@@ -127,8 +142,7 @@ struct Search<'a, const N: usize> {
     arm: &'a dyn Moving<N>,
     target: &'a Pose<f64>,
     window: f64,
-    left: f64,
-    ease: [f64; 2],
+    manner: Manner,
 }
 
 impl<const N: usize> Search<'_, N> {
@@ -146,8 +160,13 @@ impl<const N: usize> Search<'_, N> {
         let short = between(arm, &from, &to).amax() * SHORT;
         let (mut pieces, mut tried) = (vec![(from, to)], 0);
         while let Some((from, to)) = pieces.pop() {
-            let from = self.slid(from, &to);
-            let to = self.slid(to, &from);
+            let (from, to) = match self.manner {
+                Manner::Quick => (from, to),
+                Manner::Shortest { .. } => {
+                    let from = self.slid(from, &to);
+                    (from, self.slid(to, &from))
+                }
+            };
             let whole = between(arm, &from, &to);
             let length = whole.amax();
             if length <= short && self.straight(&from, &whole) {
@@ -190,13 +209,27 @@ impl<const N: usize> Search<'_, N> {
             if missed <= 0.5 * self.window {
                 return Some(q);
             }
-            let enough = (self.left * step.norm()).max(0.4 * self.window);
-            let ease = Joints::<f64, N>::from_fn(|joint, _| self.ease[usize::from(2 * joint >= N)]);
-            let eased = jacobian(self.arm, &velocities) * SMatrix::from_diagonal(&ease);
-            q = moved(self.arm, &q, &mended(&eased, &step, enough).component_mul(&ease));
+            let velocities = jacobian(self.arm, &velocities);
+            let by = match self.manner {
+                Manner::Quick => damped(&velocities, &step)?,
+                Manner::Shortest { left, ease } => {
+                    let enough = (left * step.norm()).max(0.4 * self.window);
+                    let ease = Joints::<f64, N>::from_fn(|joint, _| ease[usize::from(2 * joint >= N)]);
+                    let eased = velocities * SMatrix::from_diagonal(&ease);
+                    mended(&eased, &step, enough).component_mul(&ease)
+                }
+            };
+            q = moved(self.arm, &q, &by);
         }
         None
     }
+}
+
+/// The least-squares step that is damped by the square of what is missed.
+fn damped<const N: usize>(jacobian: &Jacobian<f64, N>, step: &Vector6<f64>) -> Option<Joints<f64, N>> {
+    let damping = step.norm_squared().max(DULL);
+    let normal = jacobian * jacobian.transpose() + Matrix6::from_diagonal_element(damping);
+    Some(jacobian.tr_mul(&normal.cholesky()?.solve(step)))
 }
 
 /// A Jacobian as u, its singular values and v transposed; columns of joints that are not there are nothing.
