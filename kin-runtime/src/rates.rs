@@ -24,11 +24,11 @@
 //! }
 //! ```
 
-use crate::arm::{Arm, JointKind};
+use crate::arm::Arm;
 use crate::dual::{self, Dual};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian, Joints};
-use crate::singularity::{Direction, directions, in_reaches, length, linear, product};
+use crate::singularity::{Direction, directions, in_reaches, length, linear, product, units};
 use core::fmt;
 use nalgebra::{SVector, Vector3};
 
@@ -238,10 +238,8 @@ fn solved<T: Float, const N: usize, A: Arm<N>>(
         .iter()
         .flatten()
         .fold(zero, |most, x| math::max(math::abs(*x), most));
-    for (rate, joint) in velocity.iter_mut().zip(A::JOINTS) {
-        if joint.kind == JointKind::Prismatic {
-            *rate *= reach;
-        }
+    for (rate, unit) in velocity.iter_mut().zip(units(&A::JOINTS, reach)) {
+        *rate *= unit;
     }
     if !velocity.iter().chain([&missed]).all(|x| math::is_finite(*x)) {
         return Err(RateError::NotFinite);

@@ -55,12 +55,18 @@ pub(crate) fn in_reaches<T: Real, const N: usize>(
     reach: T,
 ) -> Jacobian<T, N> {
     let mut columns = scaled(jacobian, reach).data.0;
-    for (column, joint) in columns.iter_mut().zip(joints) {
-        if joint.kind == JointKind::Prismatic {
-            *column = column.map(|entry| entry * reach);
-        }
+    for (column, unit) in columns.iter_mut().zip(units(joints, reach)) {
+        *column = column.map(|entry| entry * unit);
     }
     SMatrix::from_array_storage(ArrayStorage(columns))
+}
+
+/// What counts as one of each joint: a radian, or a reach of a slide.
+pub(crate) fn units<T: Real, const N: usize>(joints: &[Joint; N], reach: T) -> [T; N] {
+    joints.map(|joint| match joint.kind {
+        JointKind::Revolute => T::lit(1.0),
+        JointKind::Prismatic => reach,
+    })
 }
 
 /// The linear rows alone, the others zero.
@@ -208,9 +214,11 @@ fn orthogonalise<T: Float, const M: usize>(a: &mut Direction<T, M>, b: &mut Dire
         return false;
     }
     let zeta = (bb - aa) / (T::lit(2.0) * ab);
-    let root = math::abs(zeta) + math::hypot(T::lit(1.0), zeta);
+    let size = math::abs(zeta);
+    // Beside a larger one 1 is lost, and its square may be too large a number.
+    let root = size + if size < T::lit(1.0) / T::EPS { math::sqrt(T::lit(1.0) + size * size) } else { size };
     let t = if zeta < T::lit(0.0) { T::lit(-1.0) / root } else { T::lit(1.0) / root };
-    let c = T::lit(1.0) / math::hypot(T::lit(1.0), t);
+    let c = T::lit(1.0) / math::sqrt(T::lit(1.0) + t * t);
     let s = c * t;
     let both = a.column.iter_mut().chain(&mut a.turn).zip(b.column.iter_mut().chain(&mut b.turn));
     for (x, y) in both {
@@ -224,6 +232,11 @@ pub(crate) fn product<T: Float>(a: &[T; 6], b: &[T; 6]) -> T {
 }
 
 pub(crate) fn length<T: Float>(column: &[T; 6]) -> T {
+    let (square, least) = (product(column, column), T::EPS * T::EPS * T::EPS * T::EPS);
+    if square > least && square < T::lit(1.0) / least {
+        return math::sqrt(square);
+    }
+    // What is lost of such squares may matter, or they are no numbers at all.
     column.iter().fold(T::lit(0.0), |sum, x| math::hypot(sum, *x))
 }
 
@@ -269,6 +282,26 @@ mod tests {
             let product = values.iter().product::<f64>();
             assert!((product - jacobian.determinant().abs()).abs() < 1e-13);
             assert!(values.iter().zip(values.iter().skip(1)).all(|(a, b)| a >= b));
+        }
+    }
+
+    #[test]
+    fn columns_of_any_size_keep_their_singular_values() {
+        let mut random = Random(14);
+        let columns = [(); 6].map(|()| [(); 6].map(|()| random.within(-1.0, 1.0)));
+        let values = singular_values::<f64, 6>(&crate::private::jacobian(columns));
+        for scale in [1e-70, 1e-40, 1e-20, 1e40, 1e70] {
+            let scaled = columns.map(|column| column.map(|x| scale * x));
+            let scaled = singular_values::<f64, 6>(&crate::private::jacobian(scaled));
+            assert!((scaled / scale - values).amax() < 1e-14, "{scale}: {scaled}");
+        }
+        // One column that is nothing beside the others leaves them as they are, and has its own part across them.
+        let [a, b, ..] = columns;
+        let two = singular_values::<f64, 2>(&crate::private::jacobian([a, b]));
+        for tiny in [1e-18, 1e-70, 1e-120] {
+            let pair = singular_values::<f64, 2>(&crate::private::jacobian([a, b.map(|x| tiny * x)]));
+            let area = pair[0] * (pair[1] / tiny);
+            assert!((area / (two[0] * two[1]) - 1.0).abs() < 1e-14, "{tiny}: {pair}");
         }
     }
 

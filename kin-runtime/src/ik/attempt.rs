@@ -4,6 +4,7 @@ use crate::ik::{SETTLED, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints};
 use crate::private::SolveShort;
+use crate::singularity::units;
 use crate::solutions::Free;
 
 /// Joint values of one placement, and what was made of them.
@@ -28,9 +29,9 @@ impl<T: Float, const N: usize> Attempt<T, N> {
         given_out(pose::entries(&(self.q - self.read)), &A::JOINTS)
     }
 
-    /// How far that is.
-    pub(super) fn moved<A: SolveShort<N>>(&self) -> T {
-        let way = pose::entries(&self.way::<A>());
-        way.into_iter().fold(T::lit(0.0), |most, way| math::max(most, math::abs(way)))
+    /// How far that is, in radians and reaches.
+    pub(super) fn moved<A: SolveShort<N>>(&self, arm: &A) -> T {
+        let ways = pose::entries(&self.way::<A>()).into_iter().zip(units(&A::JOINTS, T::lit(arm.reach())));
+        ways.fold(T::lit(0.0), |most, (way, unit)| math::max(most, math::abs(way) / unit))
     }
 }

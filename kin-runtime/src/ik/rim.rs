@@ -16,9 +16,10 @@ use crate::ik::straight::{may_be_round_off, together};
 use crate::ik::{DOUBTFUL, SETTLED};
 use crate::math::{self, Float};
 use crate::pose;
+use crate::singularity::units;
 use crate::solutions::{ArmPosture, Bend, Branch};
 
-/// How far joints may settle from where they are, in units of the square root of what is missing: the wrist is bent by as much
+/// How far joints may settle from where they are, in radians and reaches, in units of the square root of what is missing: the wrist is bent by as much
 /// if the direction is inside by that.
 const NEAR: f64 = 64.0;
 
@@ -39,7 +40,7 @@ pub(super) fn reached<T: Float, V: View>(
         let nearer = |(place, [other, _]): (usize, &[Plan<T, V::Branch>; 2])| match other {
             Plan::Rim(rows, least, _) => {
                 let (there, _) = V::apart(*rows);
-                (*least < by || (*least == by && place < count)) && together(here, there)
+                (*least < by || (*least == by && place < count)) && together(task.view, here, there)
             }
             Plan::Try(..) | Plan::Again(_) | Plan::Empty(_) => false,
         };
@@ -65,8 +66,9 @@ fn settled<T: Float, V: View>(
     let start = pose::entries(&given_out(task.view.command(start), &V::Arm::JOINTS));
     let (q, residual) = settle(task.view.arm(), &task.target.pose, &pose::column(start))?;
     let near = T::lit(NEAR) * math::sqrt(by + T::lit(DOUBTFUL) * T::EPS);
-    let is_far = |(a, b): (T, T)| math::abs(a - b) > near;
-    if residual > T::lit(SETTLED) * T::EPS || pose::entries(&q).into_iter().zip(start).any(is_far) {
+    let units = units(&V::Arm::JOINTS, T::lit(task.view.arm().reach()));
+    let mut ways = pose::entries(&q).into_iter().zip(start).zip(units);
+    if residual > T::lit(SETTLED) * T::EPS || ways.any(|((a, b), unit)| math::abs(a - b) > near * unit) {
         return None;
     }
     let rows = task.view.rows(pose::entries(&q));

@@ -8,14 +8,14 @@
 //! damping (N. Yamashita and M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method", 2001: fast at
 //! singular solutions too), by conjugate gradients, which leave alone what J does not see. Where two sets meet, two of its
 //! directions are so short that conjugate gradients no longer tell them from rounding; the steps are then those of its singular
-//! values.
+//! values. Turns count in radians and slides in reaches, so that an arm makes the same steps in any unit of length.
 
 use crate::arm::Arm;
 use crate::ik::target::{Target, accepted};
 use crate::ik::{ROUND_OFF, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian, Joints, Pose};
-use crate::singularity::{directions, scaled};
+use crate::singularity::{directions, in_reaches, normalised, units};
 
 /// Steps at most. Where branches touch, each step halves the way.
 const STEPS: usize = 40;
@@ -41,7 +41,7 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
     q: &Joints<T, N>,
 ) -> Option<(Joints<T, N>, T)> {
     let reach = T::lit(arm.reach());
-    let target = Target::for_reach(pose, reach).ok()?;
+    let (target, units) = (Target::for_reach(pose, reach).ok()?, units(&A::JOINTS, reach));
     let mut q = pose::entries(q);
     let (mut best, mut polish): (Option<(Joints<T, N>, T)>, usize) = (None, POLISH);
     let (mut least, mut vain, mut detour) = (T::lit(f64::INFINITY), 0, DETOUR);
@@ -63,7 +63,8 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
             }
             detour -= 1;
         }
-        let (jacobian, error) = (scaled(&jacobian, reach), error(&target.pose, &at, reach));
+        let jacobian = in_reaches(&jacobian, &A::JOINTS, reach);
+        let error = error(&target.pose, &at, reach);
         let size = product(&error, &error);
         // A step that does not halve what is missed has been lost in rounding.
         let step = if size < least * T::lit(0.25) {
@@ -76,11 +77,16 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
             along_directions(&jacobian, error)
         };
         least = size;
-        for (value, by) in q.iter_mut().zip(step) {
-            *value += by;
-        }
+        walk(&mut q, &step, &units);
     }
     best
+}
+
+/// Makes a step, told in radians and reaches.
+fn walk<T: Float, const N: usize>(q: &mut [T; N], step: &[T; N], units: &[T; N]) {
+    for ((value, by), unit) in q.iter_mut().zip(step).zip(units) {
+        *value += *by * *unit;
+    }
 }
 
 /// Joint values, and how far they miss the target, brought nearer to it as long as a step does so. Of an arm that a pose asks
@@ -91,18 +97,20 @@ pub(crate) fn improved<T: Float, const N: usize, A: Arm<N>>(
     (mut q, mut residual): (Joints<T, N>, T),
 ) -> (Joints<T, N>, T) {
     let reach = T::lit(arm.reach());
+    let units = units(&A::JOINTS, reach);
     for _ in 0..STEPS {
         if residual <= T::lit(ROUND_OFF) * T::EPS {
             break;
         }
         let (at, jacobian) = arm.fk_jacobian(&q);
-        let (jacobian, error) = (scaled(&jacobian, reach), error(&target.pose, &at, reach));
+        let jacobian = in_reaches(&jacobian, &A::JOINTS, reach);
+        let error = error(&target.pose, &at, reach);
         let size = product(&error, &error);
         // Along a direction that is lost, rounding alone asks for a step from which the others do not recover: the heavier damping
         // leaves it out.
         let nearer = [size, math::sqrt(size)].into_iter().find_map(|damping| {
             let mut next = pose::entries(&q);
-            add(&mut next, &least_squares(&jacobian.data.0, error, damping), T::lit(1.0));
+            walk(&mut next, &least_squares(&jacobian.data.0, error, damping), &units);
             let next = given_out(next, &A::JOINTS);
             let missed = target.missed_by(&arm.fk(&next));
             (missed < residual).then_some((next, missed))
@@ -113,15 +121,16 @@ pub(crate) fn improved<T: Float, const N: usize, A: Arm<N>>(
     (q, residual)
 }
 
-/// Joint values farther by so much in the direction that moves the tool least.
+/// Joint values farther by so much, in radians and reaches, in the direction that moves the tool least.
 pub(crate) fn moved_least<T: Float, const N: usize, A: Arm<N>>(
     arm: &A,
     q: &Joints<T, N>,
     by: T,
 ) -> Joints<T, N> {
     let mut moved = pose::entries(q);
-    if let Some(least) = directions(&scaled(&arm.jacobian(q), T::lit(arm.reach()))).last() {
-        add(&mut moved, &least.turn, by);
+    let reach = T::lit(arm.reach());
+    if let Some(least) = directions(&normalised(arm, q)).last() {
+        walk(&mut moved, &least.turn.map(|part| part * by), &units(&A::JOINTS, reach));
     }
     pose::column(moved)
 }

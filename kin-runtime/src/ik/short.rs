@@ -18,7 +18,7 @@ use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose};
 use crate::private::{Carried, SolveShort};
 use crate::solutions::{
-    ArmPosture, Boundary, Elbow, Free, Margins, Reason, Shoulder, Slot, Solution, Solutions, tolerance,
+    ArmPosture, Boundary, Elbow, Free, Margins, Near, Reason, Shoulder, Slot, Solution, Solutions, tolerance,
 };
 
 /// How far joint values that were read from figures may miss the pose and still be led onto it, as the largest entry of a
@@ -124,7 +124,7 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
         solutions.put(*branch, slot);
     }
     solutions.merge(task.carrier.reach());
-    let near = T::lit(SLACK) * math::sqrt(T::EPS);
+    let near = Near::of(T::lit(SLACK) * math::sqrt(T::EPS), task.carrier.reach());
     for other in others.into_iter().flatten().flatten() {
         solutions.add(other, near);
     }
@@ -200,7 +200,7 @@ impl<T: Float, A> Task<'_, T, A> {
                 if told.reaches() {
                     // What steps have led farther, or just near enough to be accepted, may have missed what the figures lead to.
                     let rough =
-                        told.moved::<A>() > own.moved::<A>() || told.missed > T::lit(4.0) * own.missed;
+                        told.moved(self.arm) > own.moved(self.arm) || told.missed > T::lit(4.0) * own.missed;
                     let (best, other) = if own.reaches() && rough { (own, told) } else { (told, own) };
                     return (
                         best,
@@ -236,7 +236,7 @@ impl<T: Float, A> Task<'_, T, A> {
         A: SolveShort<N>,
     {
         let start = pose::entries(&(told.read - told.way::<A>()));
-        let moved = told.moved::<A>();
+        let moved = told.moved(self.arm);
         let apart = moved > tolerance::<T>() && moved <= T::lit(ASTRAY);
         apart.then(|| self.led(given_out(start, &A::JOINTS), told.free))
     }

@@ -97,7 +97,7 @@ pub(crate) fn solve_placed<T: Float, V: View>(
     let mut bent: Option<&Doubt<T>> = None;
     for (posture, both) in ArmPosture::ALL.iter().zip(&mut plans) {
         let Some(doubt) = posture.of(&doubts) else { continue };
-        if !doubt.is_likeliest(&doubts) || bent.is_some_and(|bent| bent.is_like(doubt)) {
+        if !doubt.is_likeliest(view, &doubts) || bent.is_some_and(|bent| bent.is_like(doubt)) {
             continue;
         }
         match straight::straightened(view, &task.target, doubt) {

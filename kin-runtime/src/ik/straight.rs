@@ -6,7 +6,7 @@
 //! least squares: joints 1, 2, 3 and 6 move, joints 4 and 5 are held (of an arm whose first three axes meet, the same seen
 //! from its tool).
 
-use crate::arm::Arm;
+use crate::arm::{Arm, JointKind};
 use crate::ik::base::Placed;
 use crate::ik::general::solved;
 use crate::ik::settle::{add, error, product};
@@ -16,6 +16,7 @@ use crate::ik::wrist::WristFamily;
 use crate::ik::{Base, DOUBTFUL, ROUND_OFF};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian};
+use crate::singularity::units;
 
 /// How much more than the bend the joints may move: a turn by the bend takes about as much of them.
 const FARTHEST: f64 = 16.0;
@@ -26,7 +27,7 @@ const LOOKS: usize = 3;
 /// Steps at most after each look.
 const STEPS: usize = 3;
 
-/// A step, in radians, after which they are looked at anew.
+/// A step, in radians and reaches, after which they are looked at anew.
 const FAR: f64 = 1e-5;
 
 /// What the members of a family that is declared here may miss the pose by, in units of ε: no more than any solution does.
@@ -42,7 +43,7 @@ const TOUCHING: f64 = 256.0;
 /// left, than so many roots of that.
 const TWICE: f64 = 0.5;
 
-/// Placements within this are mostly one, seen through a base whose branches nearly touch.
+/// Placements within this, in radians and reaches, are mostly one, seen through a base whose branches nearly touch.
 const TOGETHER: f64 = 1e-4;
 
 /// A bend that may be round-off.
@@ -66,8 +67,9 @@ impl<T: Float> Doubt<T> {
     }
 
     /// Whether no other bend together with this one is smaller.
-    pub(super) fn is_likeliest(&self, all: &[Option<Self>; 4]) -> bool {
-        let nearer = |other: &Self| other.bend < self.bend && together(self.placed.rows, other.placed.rows);
+    pub(super) fn is_likeliest<V: View>(&self, view: &V, all: &[Option<Self>; 4]) -> bool {
+        let nearer =
+            |other: &Self| other.bend < self.bend && together(view, self.placed.rows, other.placed.rows);
         !all.iter().flatten().any(nearer)
     }
 }
@@ -86,13 +88,13 @@ pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Ba
 }
 
 /// Whether row values of the base are mostly one placement.
-pub(super) fn together<T: Float>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> bool {
-    // Angles are in (-π, π]: near one another directly or the other way round.
-    let near = |a: T, b: T| {
-        let gap = math::abs(a - b);
-        gap <= T::lit(TOGETHER) || math::abs(gap - T::TURN.0) <= T::lit(TOGETHER)
-    };
-    near(a, x) && near(b, y) && near(c, z)
+pub(super) fn together<T: Float, V: View>(view: &V, here: [T; 3], there: [T; 3]) -> bool {
+    let (joints, _) = V::apart(V::Arm::JOINTS);
+    let ways = joints.iter().zip(here.into_iter().zip(there));
+    ways.into_iter().all(|(joint, (a, b))| match joint.kind {
+        JointKind::Revolute => math::abs(math::wrap(a - b)) <= T::lit(TOGETHER),
+        JointKind::Prismatic => math::abs(a - b) <= T::lit(TOGETHER * view.arm().reach()),
+    })
 }
 
 /// Row values of the base at which the outer axes of the sphere coincide, and the family there, if its members reach the
@@ -105,6 +107,7 @@ pub(super) fn straightened<T: Float, V: View>(
 ) -> Option<([T; 3], WristFamily<T>)> {
     let (arm, zero, mut rows, mut family) = (view.arm(), T::lit(0.0), placed.rows, *family);
     let (reach, window) = (T::lit(arm.reach()), T::lit(MISSED) * T::EPS);
+    let ([unit1, unit2, unit3], _) = V::apart(units(&V::Arm::JOINTS, reach));
     let member =
         |rows, family: &WristFamily<T>| pose::column(view.command(V::joined(rows, family.member(zero))));
     for _ in 0..LOOKS {
@@ -121,7 +124,7 @@ pub(super) fn straightened<T: Float, V: View>(
                 return None;
             }
             let [t1, t2, t3] = rows;
-            rows = [t1 + d1, t2 + d2, t3 + d3];
+            rows = [t1 + d1 * unit1, t2 + d2 * unit2, t3 + d3 * unit3];
             family = family.straightened(outer);
             if unseen <= T::lit(ROUND_OFF) * T::EPS {
                 return (left <= window).then_some((rows, family));
@@ -136,7 +139,7 @@ pub(super) fn straightened<T: Float, V: View>(
     None
 }
 
-/// How joints 1 to 3 move the tool, joint 6 turning so that it makes up for as much as it can.
+/// How joints 1 to 3 move the tool for each radian or reach, joint 6 turning so that it makes up for as much as it can.
 struct Motions<T> {
     base: [[T; 6]; 3],
     /// How far joint 6 would turn with each of them if it went along.
@@ -151,6 +154,7 @@ struct Motions<T> {
 impl<T: Float> Motions<T> {
     fn new<V: View>(view: &V, placed: &Placed<T>, jacobian: &Jacobian<T, 6>, reach: T) -> Self {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let ([unit1, unit2, unit3], _) = V::apart(units(&V::Arm::JOINTS, reach));
         // What a row moves is what the commanded joints move that it takes.
         let moving = |base, sphere| {
             let mut sum = [zero; 6];
@@ -167,9 +171,9 @@ impl<T: Float> Motions<T> {
         let chosen = |free| if free { zero } else { one };
         let (first, second) = (chosen(placed.shoulder_free), chosen(placed.elbow_free));
         let mut base = [
-            moving([first, zero, zero], still),
-            moving([zero, second, zero], still),
-            moving([zero, zero, one], still),
+            moving([first * unit1, zero, zero], still),
+            moving([zero, second * unit2, zero], still),
+            moving([zero, zero, unit3], still),
         ];
         let outer = moving(still, [zero, zero, one]);
         let per_outer = one / product(&outer, &outer);
@@ -185,7 +189,7 @@ impl<T: Float> Motions<T> {
         Motions { base, shares, outer, per_outer, products }
     }
 
-    /// The step of joints 1 to 3, that of joint 6, and the largest part of what is missed that they leave.
+    /// The step of joints 1 to 3, in radians and reaches, that of joint 6, and the largest part of what is missed that they leave.
     fn step(&self, mut missed: [T; 6]) -> ([T; 3], T, T) {
         let zero = T::lit(0.0);
         let own = product(&self.outer, &missed) * self.per_outer;

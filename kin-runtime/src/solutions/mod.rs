@@ -253,13 +253,18 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 
     /// Whether no joint of two vectors differs by more than the tolerance; most differ in the first.
-    fn same(&self, a: &Joints<T, N>, b: &Joints<T, N>, tolerance: T) -> bool {
+    fn same(&self, a: &Joints<T, N>, b: &Joints<T, N>, near: Near<T>) -> bool {
         let ([a], [b]) = (&a.data.0, &b.data.0);
         // Most pairs are told apart without taking whole turns off.
-        let turn = T::TURN.0 - (tolerance + tolerance);
+        let turn = T::TURN.0 - (near.angle + near.angle);
         a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
             let gap = math::abs(*a - *b);
-            gap <= tolerance || (gap >= turn && math::abs(self.difference(joint, *a, *b)) <= tolerance)
+            match self.kind(joint) {
+                JointKind::Prismatic => gap <= near.length,
+                JointKind::Revolute => {
+                    gap <= near.angle || (gap >= turn && math::abs(math::wrap(*a - *b)) <= near.angle)
+                }
+            }
         })
     }
 
@@ -278,15 +283,15 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
 
     /// Empties each slot whose joints are those of an earlier one, and says so.
     pub(crate) fn merge(&mut self, reach: T) {
-        self.merge_within(tolerance::<T>() * self.unit(reach));
+        self.merge_within(Near::of(tolerance::<T>(), reach));
     }
 
-    fn merge_within(&mut self, tolerance: T) {
+    fn merge_within(&mut self, near: Near<T>) {
         for (count, branch) in B::ALL.iter().enumerate() {
             let (before, rest) = self.slots().split_at(count.min(self.slots().len()));
             let Some(later) = rest.first().and_then(Slot::solution) else { continue };
             let is_same = |earlier: &Slot<T, N, B>| {
-                earlier.solution().is_some_and(|first| self.same(&first.q, &later.q, tolerance))
+                earlier.solution().is_some_and(|first| self.same(&first.q, &later.q, near))
             };
             if let Some(with) = before.iter().position(is_same).and_then(|place| B::ALL.get(place)) {
                 self.put(*branch, Slot::Merged { with: *with });
@@ -305,7 +310,7 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
 
     /// Puts a solution that no slot holds, nor one within `near` of it, where another branch's was merged or where none is; if all slots
     /// are taken, where two are as near each other. Not beside a family, which may hold it.
-    pub(crate) fn add(&mut self, solution: Solution<T, N, B>, near: T) {
+    pub(crate) fn add(&mut self, solution: Solution<T, N, B>, near: Near<T>) {
         if self.iter().any(|other| !other.is_isolated() || self.same(&other.q, &solution.q, near)) {
             return;
         }
@@ -318,14 +323,23 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
             self.put(*branch, Slot::Solved(Solution { branch: *branch, ..solution }));
         }
     }
+}
 
-    /// What one radian is compared with: 1, or the reach if the arm is shorter and has a slide.
-    fn unit(&self, reach: T) -> T {
-        if self.sliding.is_empty() { T::lit(1.0) } else { math::min(T::lit(1.0), reach) }
+/// How near the joints of one solution are to those of the same one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Near<T> {
+    angle: T,
+    length: T,
+}
+
+impl<T: Float> Near<T> {
+    /// So many radians, and as much of the reach.
+    pub(crate) fn of(radians: T, reach: T) -> Self {
+        Near { angle: radians, length: radians * reach }
     }
 }
 
-/// Joint vectors closer than this are the same solution: 1e-7 in `f64`, 7√ε in `f32`.
+/// Joint vectors closer than this, in radians and reaches, are the same solution: 1e-7 in `f64`, 7√ε in `f32`.
 pub(crate) fn tolerance<T: Float>() -> T {
     T::lit(6.710_886_4) * math::sqrt(T::EPS)
 }

@@ -181,18 +181,9 @@ impl<T: Bits, const N: usize> Trip<'_, T, N> {
 
     /// Whether two of the solutions are one.
     fn twice(&self, all: &[Answer<T, N>]) -> bool {
-        // The library compares in its own format: a little less than its tolerance is a fault in any case. It compares slides
-        // with a radian as they are, or with the reach if that is shorter.
-        let (joints, reach) = (self.arm.joints(), self.arm.length());
-        let slides = joints.map(|joint| joint.kind == JointKind::Prismatic);
-        let unit = if slides.contains(&true) { reach.min(1.0) } else { 1.0 };
-        let same = 0.999 * SAME * T::EPS.wide().sqrt() * unit;
-        let apart = |a: &Joints<T, N>, b: &Joints<T, N>| {
-            let way = self.between(a, b);
-            let each =
-                way.iter().zip(slides).map(|(way, slides)| way.abs() * if slides { reach } else { 1.0 });
-            each.fold(0.0, f64::max)
-        };
+        // The library compares in its own format: a little less than its tolerance is a fault in any case.
+        let same = 0.999 * SAME * T::EPS.wide().sqrt();
+        let apart = |a: &Joints<T, N>, b: &Joints<T, N>| self.between(a, b).amax();
         all.iter().enumerate().any(|(i, (a, _))| all[..i].iter().any(|(b, _)| apart(a, b) <= same))
     }
 
