@@ -53,6 +53,14 @@ pub struct Way<T> {
     pub open: bool,
 }
 
+impl<T: Float> Way<T> {
+    /// Whether another way begins where this one does, but for much less than two roots that were one are apart.
+    pub(super) fn is_beside(&self, other: &Way<T>) -> bool {
+        let near = |a: T, b: T| math::abs(a - b) <= T::lit(0.01) * math::sqrt(T::EPS);
+        near(self.first, other.first) && near(self.third, other.third)
+    }
+}
+
 /// The ways in the order of [`ArmPosture`](crate::ArmPosture): the first joint's side, then the third's. An empty place has
 /// no way at all, not even a near one.
 pub type Ways<T> = [Option<Way<T>>; 4];

@@ -14,11 +14,11 @@
 
 use crate::ik::base::{Placed, Placements};
 use crate::ik::conic::{self, Path, Way};
-use crate::ik::refine::STEPS;
+use crate::ik::refine::{STEPS, Side};
 use crate::ik::{ACCEPTED, ROUND_OFF};
 use crate::math::{self, Float};
 use crate::pose::dot;
-use crate::solutions::{ArmPosture, Boundary, Branch, Reason, Shoulder};
+use crate::solutions::{ArmPosture, Boundary, Branch, Reason, Shoulder, tolerance};
 
 /// The axis of a joint, where the arm stands with all figure values zero.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -198,11 +198,12 @@ impl<T: Float> GeneralBase<T> {
         let (from, azimuth) = sized.first_path(&view, first);
         let to = sized.third_path(&view, third);
         let [o1, o2, o3] = self.offset;
-        let [ru, rd, lu, ld] = conic::meet(&from, &to, window, slack, o3);
+        let ways = conic::meet(&from, &to, window, slack, o3);
+        let mut found = [None; 4];
         ArmPosture::slots(|posture| {
-            let way = *posture.of(&[ru, rd, lu, ld]);
             let beyond = Reason::OutOfReach { by: size, towards: Boundary::Envelope, theta1: None };
-            let mut way = way.ok_or(beyond)?;
+            let mut way = (*posture.of(&ways)).ok_or(beyond)?;
+            let shared = ways.iter().flatten().filter(|other| way.is_beside(other)).count() > 1;
             way.first = match (way.free, held1, azimuth) {
                 // Whole turns are taken off first: many of them would leave no digits for the offset.
                 (true, Some(t1), _) => math::wrap(t1) + o1,
@@ -210,8 +211,23 @@ impl<T: Float> GeneralBase<T> {
                 (false, _, Some(azimuth)) => azimuth - way.first,
                 (false, _, None) => way.first,
             };
-            sized
-                .settled((&way, posture), held2.map(|t2| math::wrap(t2) + o2), o2, window)
+            let (side, held2) = (Side { posture, shared }, held2.map(|t2| math::wrap(t2) + o2));
+            let mut settled = sized.settled((&way, side), held2, o2, window);
+            // Two ways that have come to one root may have left out another.
+            if let Ok((values, _)) = settled
+                && !way.free
+                && sized.are_in(values, &found)
+                && let Some([first, _, third]) = sized.other_root(values, posture)
+            {
+                let other = sized.settled((&Way { first, third, ..way }, side), held2, o2, window);
+                if let Ok((values, _)) = other
+                    && !sized.are_in(values, &found)
+                {
+                    settled = other;
+                }
+            }
+            *posture.of_mut(&mut found) = settled.as_ref().ok().map(|(values, _)| *values);
+            settled
                 .map(|(values, placed)| placed.placed(self, values, size))
                 .map_err(|by| Reason::OutOfReach { by: by * size, towards: Boundary::Envelope, theta1: None })
         })
@@ -256,6 +272,17 @@ impl<T: Float> Settled<T> {
 }
 
 impl<T: Float> Sized<T> {
+    /// Whether the values are some of those found.
+    fn are_in(&self, values: [T; 3], found: &[Option<[T; 3]>; 4]) -> bool {
+        let [a, b, c] = self.axes.each_ref().map(|axis| axis.slides);
+        let near =
+            |slides: bool, gap: T| math::abs(if slides { gap } else { math::wrap(gap) }) <= tolerance();
+        found.iter().flatten().any(|other| {
+            let [x, y, z] = less(values, *other);
+            near(a, x) && near(b, y) && near(c, z)
+        })
+    }
+
     /// The point to be reached, moved back by joint 1; the azimuth from which a turning joint's angle is taken.
     fn first_path(&self, view: &View<T>, axis: &Axis<T>) -> (Path<T>, Option<T>) {
         let z = axis.direction;
@@ -291,7 +318,7 @@ impl<T: Float> Sized<T> {
     /// Joint 2, then all three refined. The error is by how much the point is missed.
     fn settled(
         &self,
-        (way, posture): (&Way<T>, ArmPosture),
+        (way, side @ Side { posture, .. }): (&Way<T>, Side),
         hold: Option<T>,
         convention: T,
         window: T,
@@ -314,11 +341,8 @@ impl<T: Float> Sized<T> {
         }
         let far = way.open
             && largest(less(second.moved(from, value), to)) > T::lit(SLACK * SLACK) * math::sqrt(T::EPS);
-        let (mut values, mut stance) = self.refined(
-            [way.first, value, way.third],
-            (way.free, posture.elbow),
-            if far { 0 } else { STEPS },
-        );
+        let (mut values, mut stance) =
+            self.refined([way.first, value, way.third], (way.free, side), if far { 0 } else { STEPS });
         // Asked of what the refinement leaves: a point that passes axis 2 is nearest to it in a flat figure.
         let [first_value, _, third_value] = values;
         let folded = !second.slides && length(second.arm(third.moved(self.carried, third_value))) <= window;

@@ -6,14 +6,23 @@ use crate::ik::conic::Way;
 use crate::ik::general::{SLACK, Sized, cross, largest, length, less, plus, solved};
 use crate::math::{self, Float};
 use crate::pose::dot;
-use crate::solutions::Elbow;
+use crate::solutions::{ArmPosture, Elbow, Shoulder, tolerance};
 
 /// The most refining steps; an ordinary solution needs one.
 pub(super) const STEPS: usize = 16;
 
-/// Steps along a direction that is lost, each a quarter of the one before: from an eighth of a radian to less than the root of what
+/// Damping, in ε of the trace, with which a step stays below √ε where the joints cannot close what is missed.
+const STEADIED: f64 = 16.0;
+
+/// Steps along a direction that is lost, and across it to where the others close the gap, each a quarter of the one before: from an eighth of a radian to less than the root of what
 /// round-off may leave open. The best of them takes back a tenth at least, and leaves the extremum, so that Newton's steps go on.
 const SHORTER: usize = 12;
+
+/// The longest step along a direction that is lost, in radians or parts of the size.
+const FARTHEST: f64 = 0.125;
+
+/// A way that begins no farther beyond the middle of two roots, in parts of half of what is between them, begins on neither side.
+const MIDDLE: f64 = 1.0 / 16.0;
 
 /// How often they are tried in one refinement, at most: each time costs as much as that many steps.
 const SOUGHT: usize = 3;
@@ -80,7 +89,7 @@ impl<T: Float> Sized<T> {
     pub(super) fn refined(
         &self,
         mut values: [T; 3],
-        (free, elbow): (bool, Elbow),
+        (free, side): (bool, Side),
         steps: usize,
     ) -> ([T; 3], Stance<T>) {
         let (mut stance, mut sought) = (self.stance(values, free), 0);
@@ -96,7 +105,7 @@ impl<T: Float> Sized<T> {
                 let next = [v1 + a, v2 + b, v3 + c];
                 (next, self.stance(next, free))
             };
-            let mut best = stepped(stance.step());
+            let mut best = stepped(stance.step(T::lit(STEADIED) * T::EPS));
             if largest(best.1.missed) > miss * T::lit(0.25) {
                 let mut tried = |step: [T; 3]| {
                     let other = stepped(step);
@@ -111,10 +120,19 @@ impl<T: Float> Sized<T> {
                 // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
                 if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
                     sought += 1;
-                    let mut lost = stance.lost(elbow);
+                    let (across, lost) = (stance.step(math::sqrt(T::EPS)), stance.lost(side.posture));
+                    let along = |by: T| plus(across, lost.along, by);
+                    let missed = |by: T| dot(&lost.blind, &stepped(along(by)).1.missed);
+                    let (middle, half) = parabola(dot(&lost.blind, &stance.missed), missed);
+                    let ahead = side.shared || middle < half * T::lit(MIDDLE);
+                    let by = middle + if ahead { half } else { -half };
+                    if math::abs(by) <= T::lit(FARTHEST) {
+                        tried(along(by));
+                    }
+                    let mut by = T::lit(FARTHEST);
                     for _ in 0..SHORTER {
-                        tried(lost);
-                        lost = lost.map(|c| c * T::lit(0.25));
+                        tried(along(by));
+                        by *= T::lit(0.25);
                     }
                 }
             }
@@ -125,6 +143,16 @@ impl<T: Float> Sized<T> {
             }
         }
         (values, stance)
+    }
+
+    /// The other of two roots that were one, or about where it is, from the one that was found; none if they still are one.
+    pub(super) fn other_root(&self, values: [T; 3], posture: ArmPosture) -> Option<[T; 3]> {
+        let lost = self.stance(values, false).lost(posture);
+        let along = |by: T| plus(values, lost.along, by);
+        let missed = |by: T| dot(&lost.blind, &self.stance(along(by), false).missed);
+        let (middle, _) = parabola(missed(T::lit(0.0)), missed);
+        let by = middle + middle;
+        (math::abs(by) > tolerance() && math::abs(by) <= T::lit(FARTHEST)).then(|| along(by))
     }
 
     pub(super) fn stance(&self, [v1, v2, v3]: [T; 3], free: bool) -> Stance<T> {
@@ -143,37 +171,69 @@ impl<T: Float> Sized<T> {
     }
 }
 
+/// Whose values are refined, and whether another way begins where this one does: of two roots each then takes the one on the side of
+/// its label, else the one on the side on which it begins.
+#[derive(Clone, Copy)]
+pub(super) struct Side {
+    pub(super) posture: ArmPosture,
+    pub(super) shared: bool,
+}
+
+/// The direction in which the joints do not move the point, and the one in which the point is not moved; both of length one.
+struct Lost<T> {
+    along: [T; 3],
+    blind: [T; 3],
+}
+
+/// The longest of three vectors, at a length of one.
+fn longest<T: Float>([a, b, c]: [[T; 3]; 3]) -> [T; 3] {
+    let longer = |a, b| if dot(&b, &b) > dot(&a, &a) { b } else { a };
+    let longest = longer(longer(a, b), c);
+    let unit = math::max(length(longest), T::EPS * T::EPS);
+    longest.map(|c| c / unit)
+}
+
+/// A parabola through what is missed here and a little to either side: where its middle is, and how far from there its roots are, if it
+/// has any.
+fn parabola<T: Float>(here: T, missed: impl Fn(T) -> T) -> (T, T) {
+    let (two, probe) = (T::lit(2.0), math::sqrt(math::sqrt(T::EPS)));
+    let (front, back) = (missed(probe), missed(-probe));
+    let slope = (front - back) / (two * probe);
+    let bend = (front + back - two * here) / (two * probe * probe);
+    let square = slope * slope - T::lit(4.0) * bend * here;
+    (-slope / (two * bend), math::sqrt_or_zero(square) / math::abs(two * bend))
+}
+
 impl<T: Float> Stance<T> {
-    /// The smallest step of the joints that closes the gap to first order: Jᵀ(JJᵀ + μ)⁻¹·gap, the damping μ such that it
-    /// stays below √ε where the joints cannot close it.
-    fn step(&self) -> [T; 3] {
+    /// The smallest step of the joints that closes the gap to first order, but for what takes them far: Jᵀ(JJᵀ + μ)⁻¹·gap, the
+    /// damping μ a part of the trace of JJᵀ.
+    fn step(&self, damping: T) -> [T; 3] {
         let [a, b, c] = self.velocities;
         let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
         let (x, y, z) = ([ax, bx, cx], [ay, by, cy], [az, bz, cz]);
         let (xx, yy, zz) = (dot(&x, &x), dot(&y, &y), dot(&z, &z));
         let (xy, xz, yz) = (dot(&x, &y), dot(&x, &z), dot(&y, &z));
-        let damping = (xx + yy + zz) * T::EPS * T::lit(16.0);
+        let damping = (xx + yy + zz) * damping;
         let rows = [[xx + damping, xy, xz], [xy, yy + damping, yz], [xz, yz, zz + damping]];
         let Some(solved) = solved(rows, self.missed) else { return [T::lit(0.0); 3] };
         [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
     }
 
-    /// An eighth of a radian in the direction in which the joints do not move the point: the longest row of the adjugate. Joint 3 goes
-    /// up or down with the elbow, so that each of two roots that were one has its own.
-    fn lost(&self, elbow: Elbow) -> [T; 3] {
+    /// What is lost: the longest row and column of the adjugate. Along it joint 3 goes up or down with the elbow, so that each of two
+    /// roots that were one has its own; where joint 3 stays, as it does for two sides of joint 1 that meet, joint 1 goes with the
+    /// shoulder.
+    fn lost(&self, ArmPosture { shoulder, elbow }: ArmPosture) -> Lost<T> {
         let [a, b, c] = self.velocities;
-        let (k0, k1, k2) = (cross(b, c), cross(c, a), cross(a, b));
-        let ([x0, y0, z0], [x1, y1, z1], [x2, y2, z2]) = (k0, k1, k2);
-        let mut longest = [x0, x1, x2];
-        for row in [[y0, y1, y2], [z0, z1, z2]] {
-            if dot(&row, &row) > dot(&longest, &longest) {
-                longest = row;
-            }
-        }
-        let [_, _, third] = longest;
-        let towards = if (third > T::lit(0.0)) == (elbow == Elbow::Up) { 0.125 } else { -0.125 };
-        let unit = math::max(length(longest), T::EPS * T::EPS);
-        longest.map(|c| c * T::lit(towards) / unit)
+        let rows = [cross(b, c), cross(c, a), cross(a, b)];
+        let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = rows;
+        let (along, blind) = (longest([[x0, x1, x2], [y0, y1, y2], [z0, z1, z2]]), longest(rows));
+        let [one, _, third] = along;
+        let up = if math::abs(third) > T::lit(SLACK) * math::sqrt(T::EPS) {
+            (third > T::lit(0.0)) == (elbow == Elbow::Up)
+        } else {
+            ((one > T::lit(0.0)) == (shoulder == Shoulder::Left)) == (elbow == Elbow::Up)
+        };
+        Lost { along: along.map(|c| if up { c } else { -c }), blind }
     }
 
     /// The step that closes the gap to first order, J⁻¹·gap by Cramer's rule, if it is none that leaves the neighbourhood.

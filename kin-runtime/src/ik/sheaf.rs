@@ -33,7 +33,7 @@ enum Place<T> {
     Angle(T),
     /// s = t·unit.
     Near(T),
-    /// s = unit/t.
+    /// s = -unit/t: it grows with t, so that a figure that rises along the path rises here too.
     Far(T),
 }
 
@@ -43,7 +43,7 @@ impl<T: Float> Chart<T> {
         match self.place {
             Place::Angle(middle) => Some(math::wrap(middle + T::lit(2.0) * math::atan2(t, T::lit(1.0)))),
             Place::Near(unit) => Some(t * unit),
-            Place::Far(unit) => (math::abs(t) > math::sqrt(T::EPS)).then(|| unit / t),
+            Place::Far(unit) => (math::abs(t) > math::sqrt(T::EPS)).then(|| -unit / t),
         }
     }
 
@@ -87,7 +87,11 @@ impl<'a, T: Float> Sheaf<'a, T> {
                 let [low, middle, high] = points;
                 [
                     Chart { points, weight: [one, zero, zero], place: Place::Near(unit) },
-                    Chart { points: [high, middle, low], weight: [zero, zero, one], place: Place::Far(unit) },
+                    Chart {
+                        points: [high, middle.map(|c| -c), low],
+                        weight: [zero, zero, one],
+                        place: Place::Far(unit),
+                    },
                 ]
             }
         }
@@ -150,7 +154,8 @@ impl<'a, T: Float> Sheaf<'a, T> {
         let (a, b) = self.first.spanned();
         let window = window * T::lit(32.0) * (math::sqrt(dot(a, a)) + math::sqrt(dot(b, b)));
         let turning = matches!(self.third, Path::Circle { .. });
-        let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: turning.then_some(zero) };
+        let lines = !turning && matches!(self.first, Path::Line { .. });
+        let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: turning.then_some(zero), lines };
         for chart in &self.best_charts() {
             let places = quartic::extrema(&self.quartic(chart));
             quartic::roots(&places, &|t| self.figure(chart.point(t)), window, |root| {
@@ -173,6 +178,8 @@ struct Labelled<T> {
     nearest: Option<(T, Way<T>)>,
     /// The angle from which an angle is counted.
     zero: Option<T>,
+    /// Whether both paths are lines: two of the four roots are then at infinity, one of either sign.
+    lines: bool,
 }
 
 impl<T: Float> Labelled<T> {
@@ -196,9 +203,13 @@ impl<T: Float> Labelled<T> {
         let order = |way: &Way<T>| self.zero.map_or(way.third, |zero| math::wrap(way.third - zero));
         let [ru, rd, lu, ld] = &mut self.ways;
         let (right, left) = if up { (ru, lu) } else { (rd, ld) };
+        let far = |way: &Way<T>| math::abs(way.third);
+        if self.lines {
+            *right = Some(right.filter(|one| far(one) <= far(&way)).unwrap_or(way));
+            return;
+        }
         // On a line a third of the same sign is round-off of roots at infinity: the farthest of the three gives way.
         if let (None, Some(one), Some(other)) = (self.zero, *right, *left) {
-            let far = |way: &Way<T>| math::abs(way.third);
             let kept = match (far(&way) >= far(&one), far(&way) >= far(&other), far(&one) > far(&other)) {
                 (true, true, _) => return,
                 (_, _, true) => other,
@@ -215,7 +226,9 @@ impl<T: Float> Labelled<T> {
 
     /// Places without a way show the nearest approach.
     fn finished(self) -> Ways<T> {
-        let nearest = self.nearest.map(|(_, way)| way);
+        let [rising, falling, ..] = &self.ways;
+        let all = self.lines && rising.is_some() && falling.is_some();
+        let nearest = self.nearest.filter(|_| !all).map(|(_, way)| way);
         self.ways.map(|way| way.or(nearest))
     }
 }
@@ -230,7 +243,7 @@ mod tests {
         for [a, b, c] in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             for far in [1e7, -1e7] {
                 let thirds = [-0.5, 2.0, far];
-                let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: None };
+                let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: None, lines: false };
                 for third in [thirds[a], thirds[b], thirds[c]] {
                     let way = Way { first: 0.1, third, free: false, open: false };
                     labelled.take(Root::Rising(0.3), way);
@@ -240,5 +253,26 @@ mod tests {
                 assert_eq!((down, other), (None, None));
             }
         }
+    }
+
+    /// Two lines meet twice at most: of each side the nearest way is kept, and what they pass closely elsewhere is none.
+    #[test]
+    fn of_two_lines_one_way_of_each_side_is_kept() {
+        let way = |third: f64| Way { first: 0.1, third, free: false, open: false };
+        let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: None, lines: true };
+        for (root, third) in [
+            (Root::Rising(0.3), 1e7),
+            (Root::Rising(0.2), -0.5),
+            (Root::Falling(0.1), 0.7),
+            (Root::Missed(0.4, 1e-9), 2.0),
+            (Root::Rising(0.5), -0.6),
+        ] {
+            labelled.take(root, way(third));
+        }
+        let kept = labelled.finished().map(|way| way.map(|way| way.third));
+        assert_eq!(kept, [Some(-0.5), Some(0.7), None, None]);
+        let mut labelled = Labelled { ways: [None; 4], nearest: None, zero: None, lines: true };
+        labelled.take(Root::Missed(0.4, 1e-9), way(2.0));
+        assert_eq!(labelled.finished().map(|way| way.map(|way| way.third)), [Some(2.0); 4]);
     }
 }

@@ -22,7 +22,7 @@ Round trips through every structural family, most of them aimed at singular sets
     cargo run --release -p tests --bin reliability -- [OPTIONS]
 
     --poses N         round trips of doubles for each of the 13 families, a tenth of that in single precision [1e6];
-                      1e5 of each, 1.4 million in all, take a minute and a half on one core
+                      1e6 of each, 14.3 million in all, take a little over a minute on two cores
     --patterns N      random bit patterns, in all [ten times the poses]
     --seed N          where the random numbers start [1]
     --held            leave out the arms that are known to miss a figure, as RELIABILITY.md lists them
