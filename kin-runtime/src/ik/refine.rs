@@ -109,11 +109,15 @@ impl<T: Float> Sized<T> {
             if largest(best.1.missed) > miss * T::lit(0.25) {
                 let mut tried = |step: [T; 3]| {
                     let other = stepped(step);
-                    if largest(other.1.missed) < largest(best.1.missed) {
+                    let left = largest(other.1.missed);
+                    if left < largest(best.1.missed) {
                         best = other;
                     }
+                    left
                 };
-                stance.undamped().into_iter().for_each(&mut tried);
+                if let Some(step) = stance.undamped() {
+                    tried(step);
+                }
                 if beside_first {
                     tried([self.facing(values), T::lit(0.0), T::lit(0.0)]);
                 }
@@ -126,11 +130,10 @@ impl<T: Float> Sized<T> {
                     let (middle, half) = parabola(dot(&lost.blind, &stance.missed), missed);
                     let ahead = side.shared || middle < half * T::lit(MIDDLE);
                     let by = middle + if ahead { half } else { -half };
-                    if math::abs(by) <= T::lit(FARTHEST) {
-                        tried(along(by));
-                    }
+                    let told = math::abs(by) <= T::lit(FARTHEST) && tried(along(by)) <= miss * T::lit(0.25);
+                    // Where three roots meet there is no parabola.
                     let mut by = T::lit(FARTHEST);
-                    for _ in 0..SHORTER {
+                    for _ in 0..if told { 0 } else { SHORTER } {
                         tried(along(by));
                         by *= T::lit(0.25);
                     }
