@@ -124,19 +124,8 @@ impl<T: Float> Sized<T> {
                 // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
                 if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
                     sought += 1;
-                    let (across, lost) = (stance.step(math::sqrt(T::EPS)), stance.lost(side.posture));
-                    let along = |by: T| plus(across, lost.along, by);
-                    let missed = |by: T| dot(&lost.blind, &stepped(along(by)).1.missed);
-                    let (middle, half) = parabola(dot(&lost.blind, &stance.missed), missed);
-                    let ahead = side.shared || middle < half * T::lit(MIDDLE);
-                    let by = middle + if ahead { half } else { -half };
-                    let told = math::abs(by) <= T::lit(FARTHEST) && tried(along(by)) <= miss * T::lit(0.25);
-                    // Where three roots meet there is no parabola.
-                    let mut by = T::lit(FARTHEST);
-                    for _ in 0..if told { 0 } else { SHORTER } {
-                        tried(along(by));
-                        by *= T::lit(0.25);
-                    }
+                    let missed = |step: [T; 3]| stepped(step).1.missed;
+                    stance.along_lost(side, missed, |step| tried(step) <= miss * T::lit(0.25));
                 }
             }
             if largest(best.1.missed) < miss {
@@ -220,6 +209,30 @@ impl<T: Float> Stance<T> {
         let rows = [[xx + damping, xy, xz], [xy, yy + damping, yz], [xz, yz, zz + damping]];
         let Some(solved) = solved(rows, self.missed) else { return [T::lit(0.0); 3] };
         [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
+    }
+
+    /// Steps along what is lost, and across it to where the other joints close the gap: to the root of a parabola, and if that does not
+    /// take `enough` back, where three roots meet and there is none, each a quarter of the one before.
+    fn along_lost(
+        &self,
+        side: Side,
+        missed: impl Fn([T; 3]) -> [T; 3],
+        mut enough: impl FnMut([T; 3]) -> bool,
+    ) {
+        let (across, lost) = (self.step(math::sqrt(T::EPS)), self.lost(side.posture));
+        let along = |by: T| plus(across, lost.along, by);
+        let seen = |by: T| dot(&lost.blind, &missed(along(by)));
+        let (middle, half) = parabola(dot(&lost.blind, &self.missed), seen);
+        let ahead = side.shared || middle < half * T::lit(MIDDLE);
+        let by = middle + if ahead { half } else { -half };
+        if math::abs(by) <= T::lit(FARTHEST) && enough(along(by)) {
+            return;
+        }
+        let mut by = T::lit(FARTHEST);
+        for _ in 0..SHORTER {
+            enough(along(by));
+            by *= T::lit(0.25);
+        }
     }
 
     /// What is lost: the longest row and column of the adjugate. Along it joint 3 goes up or down with the elbow, so that each of two
