@@ -53,10 +53,13 @@ pub struct Way<T> {
     pub open: bool,
 }
 
+/// Two ways within so many √ε begin at one place: much less than two roots are apart that were one until round-off parted them.
+const ONE: f64 = 0.01;
+
 impl<T: Float> Way<T> {
-    /// Whether another way begins where this one does, but for much less than two roots that were one are apart.
+    /// Whether another way begins where this one does.
     pub(super) fn is_beside(&self, other: &Way<T>) -> bool {
-        let near = |a: T, b: T| math::abs(a - b) <= T::lit(0.01) * math::sqrt(T::EPS);
+        let near = |a: T, b: T| math::abs(a - b) <= T::lit(ONE) * math::sqrt(T::EPS);
         near(self.first, other.first) && near(self.third, other.third)
     }
 }

@@ -14,8 +14,8 @@ pub(super) const STEPS: usize = 16;
 /// Damping, in ε of the trace, with which a step stays below √ε where the joints cannot close what is missed.
 const STEADIED: f64 = 16.0;
 
-/// Steps along a direction that is lost, and across it to where the others close the gap, each a quarter of the one before: from an eighth of a radian to less than the root of what
-/// round-off may leave open. The best of them takes back a tenth at least, and leaves the extremum, so that Newton's steps go on.
+/// Steps along a direction that is lost, each a quarter of the one before: from the longest to less than the root of what round-off may
+/// leave open. The best of them takes back a tenth at least, and leaves the extremum, so that Newton's steps go on.
 const SHORTER: usize = 12;
 
 /// The longest step along a direction that is lost, in radians or parts of the size.
