@@ -6,14 +6,14 @@
 //! least squares: joints 1, 2, 3 and 6 move, joints 4 and 5 are held (of an arm whose first three axes meet, the same seen
 //! from its tool).
 
-use crate::arm::{Arm, JointKind};
+use crate::arm::Arm;
 use crate::ik::base::Placed;
-use crate::ik::general::solved;
+use crate::ik::general::{less, solved};
 use crate::ik::settle::{add, error, product};
 use crate::ik::sphere::View;
 use crate::ik::target::Target;
 use crate::ik::wrist::WristFamily;
-use crate::ik::{Base, DOUBTFUL, ROUND_OFF};
+use crate::ik::{Base, DOUBTFUL, ROUND_OFF, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian};
 use crate::singularity::units;
@@ -90,11 +90,9 @@ pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Ba
 /// Whether row values of the base are mostly one placement.
 pub(super) fn together<T: Float, V: View>(view: &V, here: [T; 3], there: [T; 3]) -> bool {
     let (joints, _) = V::apart(V::Arm::JOINTS);
-    let ways = joints.iter().zip(here.into_iter().zip(there));
-    ways.into_iter().all(|(joint, (a, b))| match joint.kind {
-        JointKind::Revolute => math::abs(math::wrap(a - b)) <= T::lit(TOGETHER),
-        JointKind::Prismatic => math::abs(a - b) <= T::lit(TOGETHER * view.arm().reach()),
-    })
+    let ways = pose::entries(&given_out(less(here, there), &joints));
+    let units = units(&joints, T::lit(view.arm().reach()));
+    ways.into_iter().zip(units).all(|(way, unit)| math::abs(way) <= T::lit(TOGETHER) * unit)
 }
 
 /// Row values of the base at which the outer axes of the sphere coincide, and the family there, if its members reach the

@@ -259,12 +259,8 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
         let turn = T::TURN.0 - (near.angle + near.angle);
         a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
             let gap = math::abs(*a - *b);
-            match self.kind(joint) {
-                JointKind::Prismatic => gap <= near.length,
-                JointKind::Revolute => {
-                    gap <= near.angle || (gap >= turn && math::abs(math::wrap(*a - *b)) <= near.angle)
-                }
-            }
+            let near = if self.sliding.contains(joint) { near.length } else { near.angle };
+            gap <= near || (gap >= turn && math::abs(self.difference(joint, *a, *b)) <= near)
         })
     }
 
