@@ -139,10 +139,11 @@ impl<T: Float> Sized<T> {
 
     /// The other of two roots that were one, or about where it is, from the one that was found; none if they still are one.
     pub(super) fn other_root(&self, values: [T; 3], posture: ArmPosture) -> Option<[T; 3]> {
-        let lost = self.stance(values, false).lost(posture);
+        let stance = self.stance(values, false);
+        let lost = stance.lost(posture);
         let along = |by: T| plus(values, lost.along, by);
         let missed = |by: T| dot(&lost.blind, &self.stance(along(by), false).missed);
-        let (middle, _) = parabola(missed(T::lit(0.0)), missed);
+        let (middle, _) = parabola(dot(&lost.blind, &stance.missed), missed);
         let by = middle + middle;
         (math::abs(by) > tolerance() && math::abs(by) <= T::lit(FARTHEST)).then(|| along(by))
     }

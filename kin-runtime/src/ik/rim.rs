@@ -19,8 +19,8 @@ use crate::pose;
 use crate::singularity::units;
 use crate::solutions::{ArmPosture, Bend, Branch};
 
-/// How far joints may settle from where they are, in radians and reaches, in units of the square root of what is missing: the wrist is bent by as much
-/// if the direction is inside by that.
+/// How far joints may settle from where they are, in radians and reaches, in units of the square root of what is missing: the wrist is
+/// bent by as much if the direction is inside by that.
 const NEAR: f64 = 64.0;
 
 /// The most that the best of the values tried for a free joint may be beyond the rim, if one between them is not.
