@@ -4,9 +4,9 @@
 //! Where the point lies on the axes of joints 1 and 2 both, joint 1 alone tells how axis 2 stands. Seen from the turns the mean over
 //! all turns about axis 2 of the rotation that is left is n·fᵀ: n is axis 2 as the arm has it, f as the pose asks for it.
 
-use crate::ik::FAMILY;
 use crate::ik::general::length;
 use crate::ik::short::{Task, Turns};
+use crate::ik::wave::Wave;
 use crate::math::{self, Float};
 use crate::pose::{self, dot};
 use crate::private::SolveShort;
@@ -14,48 +14,6 @@ use crate::solutions::{ArmPosture, Elbow, Free, JointSet, Loose, Shoulder};
 
 /// How many values of a joint that stays free are tried, where not all of them leave the turns a way.
 const TRIED: i32 = 16;
-
-/// A + B·cos t + C·sin t.
-struct Wave<T> {
-    mean: T,
-    cosine: T,
-    sine: T,
-}
-
-impl<T: Float> Wave<T> {
-    /// From its values at nothing, a quarter turn and half a turn.
-    fn through([at_0, at_90, at_180]: [T; 3]) -> Self {
-        let half = T::lit(0.5);
-        let mean = (at_0 + at_180) * half;
-        Wave { mean, cosine: (at_0 - at_180) * half, sine: at_90 - mean }
-    }
-
-    fn amplitude(&self) -> T {
-        math::hypot(self.cosine, self.sine)
-    }
-
-    /// Whether it is the same everywhere, but for round-off.
-    fn is_flat(&self) -> bool {
-        self.amplitude() <= T::lit(FAMILY) * T::EPS
-    }
-
-    /// Whether it is nothing anywhere.
-    fn crosses(&self) -> bool {
-        math::abs(self.mean) <= self.amplitude()
-    }
-
-    /// Where it is largest.
-    fn top(&self) -> T {
-        math::atan2(self.sine, self.cosine)
-    }
-
-    /// Where it is nothing, or nearest to that, on one side of the top or the other.
-    fn zero(&self, far: bool) -> T {
-        let (mean, amplitude) = (self.mean, self.amplitude());
-        let aside = math::atan2(math::sqrt_or_zero((amplitude - mean) * (amplitude + mean)), -mean);
-        math::wrap(if far { self.top() - aside } else { self.top() + aside })
-    }
-}
 
 /// The angles at which a wave is asked for.
 fn asked<T: Float>() -> [T; 3] {
