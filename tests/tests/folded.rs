@@ -268,3 +268,42 @@ fn two_ways_that_are_all_but_one_beside_axis_2_both_come_back() {
         comes_back(&SlidingRrprr, &joints![first, second, slide, plane, last]);
     }
 }
+
+/// Found by the program `reliability`: the slide all but drawn in and level, or upright where both shoulders are one. The place of the point
+/// knows joint 1 to the root of its round-off, and two solutions that differ by less in it differ by more in the joints that follow.
+#[test]
+fn two_ways_that_the_place_does_not_tell_apart_both_come_back() {
+    let found = [
+        [
+            0x3fdb_21be_6a13_1298,
+            0x3ff9_21fb_5444_2ceb,
+            0xbe43_7358_5fef_11bd,
+            0x4009_20f4_8251_beb6,
+            0xc006_9a7b_8348_4603,
+        ],
+        [
+            0xc006_7a61_5bef_8f86,
+            0xbff9_21fb_56f3_5ef4,
+            0x3e45_798e_e230_8c3a,
+            0x4008_a974_a388_43e6,
+            0x3fe6_e264_f17e_3368,
+        ],
+        [
+            0x3fe2_fb6a_ff5b_9ed4,
+            0xc009_224d_e2fa_d788,
+            0x3ef5_8ba0_d38a_cbf6,
+            0xbf0a_ce43_c860_9c36,
+            0xbffe_1e39_f78a_192b,
+        ],
+        [
+            0x3feb_ab7c_73a7_6668,
+            0xc009_21c6_e67e_56df,
+            0x3f11_0a13_7f38_c544,
+            0x3f02_1696_85fc_e81a,
+            0xc008_9165_1c08_67f0,
+        ],
+    ];
+    for bits in found {
+        comes_back(&SlidingRrprr, &Joints::from(bits.map(f64::from_bits)));
+    }
+}

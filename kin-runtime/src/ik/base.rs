@@ -8,7 +8,7 @@
 //!
 //! The figures themselves are in `planar`, `elbow` and [`general`](crate::ik::general).
 
-use crate::ik::general::GeneralBase;
+use crate::ik::general::{Axis, GeneralBase, length};
 use crate::ik::planar::Planar;
 use crate::ik::wrist::figure_angle;
 use crate::math::{self, Float};
@@ -132,6 +132,24 @@ impl<T: Float> Base<T> {
         (one + first + second * (one + through * first), seen, placed.shoulder == zero || elbow == zero)
     }
 
+    /// How far the point, which is at `p`, is from the axes of joints 1 and 2: round-off over that is what its place tells of their
+    /// values. A slide has no such axis.
+    pub(crate) fn axis_distances(&self, placed: &Placed<T>, p: [T; 3]) -> [T; 2] {
+        let [x, y, _] = p;
+        let second = match self {
+            Base::Elbow(base) => base.second_distance(placed),
+            Base::Telescope(base) => math::hypot(base.arm, placed.elbow),
+            Base::General(base) => {
+                let ([first, second, third], [_, _, o3], [_, _, t3]) = (&base.axes, base.offset, placed.rows);
+                let from = |axis: &Axis<T>, point| {
+                    if axis.slides { T::lit(f64::INFINITY) } else { length(axis.arm(point)) }
+                };
+                return [from(first, p), from(second, third.moved(base.carried, t3 + o3))];
+            }
+        };
+        [math::hypot(x, y), second]
+    }
+
     /// The arm's reach.
     pub fn reach(&self) -> T {
         match self {
@@ -152,6 +170,13 @@ impl<T: Float> ElbowBase<T> {
         } else {
             math::abs(self.upper - self.fore)
         }
+    }
+
+    /// How far the wrist centre is from axis 2: the side of a triangle with the links, by the law of cosines.
+    fn second_distance(&self, placed: &Placed<T>) -> T {
+        let ([_, _, t3], [_, _, offset], [_, _, reversed]) = (placed.rows, self.offset, self.reversed);
+        let (sine, cosine) = math::sin_cos(figure_angle(t3, offset, reversed) * T::lit(0.5));
+        math::hypot((self.upper + self.fore) * cosine, (self.upper - self.fore) * sine)
     }
 }
 

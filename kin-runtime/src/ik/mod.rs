@@ -5,7 +5,8 @@
 //!   [`quartic`] for its roots; `refine` closes what round-off has left open.
 //! * [`wrist`]: the last three joints turn the tool, by look-up of the entries of ³R₆.
 //! * `straight`: a wrist that round-off of the base has bent, led back to where it is straight.
-//! * `rim`: an oblique wrist that the same round-off has put beyond its cone.
+//! * `rim`: an oblique wrist that the same round-off has put beyond its cone; `beyond`, where a joint of the base is all but free, what
+//!   is on the other side of that.
 //! * [`spherical_wrist`]: both together, for six-joint arms. Far from singular poses all branches are solved at once, by programs
 //!   that know no branch: `elbow`, then `bends`, for `placements`, in a loop over those of one pose (`side`) or over the
 //!   poses of a batch (`abreast`). `figure` is the angles there, which come with their sines.
@@ -13,6 +14,7 @@
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
 //! * [`short`]: poses of arms with two to five joints; `freed`, where the place of the point leaves joints free; `attempt`, what steps
 //!   make of what was read.
+//! * `wave`: what a turning joint makes of a direction.
 //! * [`closest`]: the nearest that a base comes to what it does not reach.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.
 //!
@@ -34,6 +36,7 @@ mod abreast;
 mod attempt;
 pub mod base;
 mod bends;
+mod beyond;
 pub mod closest;
 pub mod conic;
 mod elbow;
@@ -57,6 +60,7 @@ pub mod spherical_shoulder;
 pub mod spherical_wrist;
 mod straight;
 pub mod target;
+mod wave;
 pub mod wrist;
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ const STEADIED: f64 = 16.0;
 const SHORTER: usize = 12;
 
 /// The longest step along a direction that is lost, in radians or parts of the size.
-const FARTHEST: f64 = 0.125;
+pub(super) const FARTHEST: f64 = 0.125;
 
 /// A way that begins no farther beyond the middle of two roots, in parts of half of what is between them, begins on neither side.
 const MIDDLE: f64 = 1.0 / 16.0;
@@ -188,7 +188,7 @@ fn longest<T: Float>([a, b, c]: [[T; 3]; 3]) -> [T; 3] {
 
 /// A parabola through what is missed here and a little to either side: where its middle is, and how far from there its roots are, if it
 /// has any.
-fn parabola<T: Float>(here: T, missed: impl Fn(T) -> T) -> (T, T) {
+pub(super) fn parabola<T: Float>(here: T, missed: impl Fn(T) -> T) -> (T, T) {
     let (two, probe) = (T::lit(2.0), math::sqrt(math::sqrt(T::EPS)));
     let (front, back) = (missed(probe), missed(-probe));
     let slope = (front - back) / (two * probe);

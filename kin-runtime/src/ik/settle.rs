@@ -11,11 +11,13 @@
 //! values. Turns count in radians and slides in reaches, so that an arm makes the same steps in any unit of length.
 
 use crate::arm::Arm;
+use crate::ik::refine::{FARTHEST, parabola};
 use crate::ik::target::{Target, accepted};
 use crate::ik::{ROUND_OFF, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian, Joints, Pose};
 use crate::singularity::{directions, in_reaches, normalised, units};
+use crate::solutions::tolerance;
 
 /// Steps at most. Where branches touch, each step halves the way.
 const STEPS: usize = 40;
@@ -133,6 +135,27 @@ pub(crate) fn moved_least<T: Float, const N: usize, A: Arm<N>>(
         walk(&mut moved, &least.turn.map(|part| part * by), &units(&A::JOINTS, reach));
     }
     pose::column(moved)
+}
+
+/// About where the other of two solutions is that were one, seen from one of them: along the direction that moves the tool least,
+/// where a parabola through what the pose then misses comes back to what it misses here. None if they still are one, or far apart.
+pub(crate) fn other_root<T: Float, const N: usize, A: Arm<N>>(
+    arm: &A,
+    pose: &Pose<T>,
+    q: &Joints<T, N>,
+) -> Option<Joints<T, N>> {
+    let (all, reach) = (directions(&normalised(arm, q)), T::lit(arm.reach()));
+    let (least, units) = (all.last()?, units(&A::JOINTS, reach));
+    let size = math::sqrt(product(&least.column, &least.column));
+    let along = |by: T| {
+        let mut moved = pose::entries(q);
+        walk(&mut moved, &least.turn.map(|part| part * by), &units);
+        pose::column(moved)
+    };
+    let missed = |q: &Joints<T, N>| product(&least.column, &error(pose, &arm.fk(q), reach)) / size;
+    let (middle, _) = parabola(missed(q), |by| missed(&along(by)));
+    let by = middle + middle;
+    (math::abs(by) > tolerance() && math::abs(by) <= T::lit(FARTHEST)).then(|| along(by))
 }
 
 /// How the tool must move, as the rows of the Jacobian count: a length in parts of the reach, then a turn.

@@ -11,7 +11,7 @@
 use crate::ik::attempt::Attempt;
 use crate::ik::base::Placed;
 use crate::ik::general::SLACK;
-use crate::ik::settle::{improved, moved_least, settle};
+use crate::ik::settle::{improved, moved_least, other_root, settle};
 use crate::ik::target::{Target, distance};
 use crate::ik::{ACCEPTED, Carrier, SETTLED, finite, given_out, sliding};
 use crate::math::{self, Float};
@@ -115,7 +115,7 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
     let [first, _] = held;
     let task = Task { arm, carrier, target, turns: arm.turns(), held: first.is_some() };
     let mut solutions = Solutions::none(sliding, Reason::NotFinite);
-    let mut others = [[None; 2]; 4];
+    let mut others = [[None; 3]; 4];
     for (branch, others) in B::ALL.iter().zip(&mut others) {
         let slot = match branch.base().pick(placements.each_ref()) {
             Err(reason) => Slot::Empty(*reason),
@@ -126,7 +126,7 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
     solutions.merge(task.carrier.reach());
     let near = Near::of(T::lit(SLACK) * math::sqrt(T::EPS), task.carrier.reach());
     for other in others.into_iter().flatten().flatten() {
-        solutions.add(other, near);
+        _ = solutions.add(other, near);
     }
     solutions
 }
@@ -148,7 +148,7 @@ impl<T: Float, A> Task<'_, T, A> {
         &self,
         branch: B,
         placed: &Placed<T>,
-        others: &mut [Option<Solution<T, N, B>>; 2],
+        others: &mut [Option<Solution<T, N, B>>; 3],
     ) -> Slot<T, N, B>
     where
         A: SolveShort<N>,
@@ -158,8 +158,13 @@ impl<T: Float, A> Task<'_, T, A> {
         let (base, left) = self.oriented(posture, rows, free);
         let own = self.attempt(base, left);
         let (best, rest) = match self.carrier.beside(placed, self.target.scale) {
-            [false, false] => (own, [None; 2]),
-            _ if own.reaches() && own.free != Free::NOTHING => (own, [None; 2]),
+            // Where both shoulders are one, each is known to the root of round-off: their solutions need not be one.
+            [false, false] if own.reaches() && placed.shoulder == T::lit(0.0) => {
+                let other = self.across(&own).filter(Attempt::reaches);
+                (own, [other, None, None])
+            }
+            [false, false] => (own, [None; 3]),
+            _ if own.reaches() && own.free != Free::NOTHING => (own, [None; 3]),
             beside => self.beside(posture, rows, beside, own),
         };
         let margins = Margins { shoulder: placed.shoulder, elbow: placed.elbow, wrist: None };
@@ -189,7 +194,7 @@ impl<T: Float, A> Task<'_, T, A> {
         rows: [T; 3],
         [first, second]: [bool; 2],
         own: Attempt<T, N>,
-    ) -> (Attempt<T, N>, [Option<Attempt<T, N>>; 2])
+    ) -> (Attempt<T, N>, [Option<Attempt<T, N>>; 3])
     where
         A: SolveShort<N>,
     {
@@ -202,16 +207,14 @@ impl<T: Float, A> Task<'_, T, A> {
                     let rough =
                         told.moved(self.arm) > own.moved(self.arm) || told.missed > T::lit(4.0) * own.missed;
                     let (best, other) = if own.reaches() && rough { (own, told) } else { (told, own) };
-                    return (
-                        best,
-                        [Some(other), self.mirrored(&told)].map(|other| other.filter(Attempt::reaches)),
-                    );
+                    let others = [Some(other), self.mirrored(&told), self.across(&told)];
+                    return (best, others.map(|other| other.filter(Attempt::reaches)));
                 }
             }
         }
         let opposite = [first && posture.shoulder == Shoulder::Left, second && posture.elbow == Elbow::Down];
         if own.reaches() && (!own.strayed || opposite == [false; 2]) {
-            return (own, [None; 2]);
+            return (own, [None; 3]);
         }
         let ([t1, t2, t3], [opposite1, opposite2]) = (rows, opposite);
         let half = math::half_turn::<T>();
@@ -223,10 +226,10 @@ impl<T: Float, A> Task<'_, T, A> {
             let aside = self
                 .attempt([turned(t1, first, opposite1), turned(t2, second, opposite2), t3], Free::NOTHING);
             if aside.reaches() {
-                return (aside, [None; 2]);
+                return (aside, [None; 3]);
             }
         }
-        (own, [None; 2])
+        (own, [None; 3])
     }
 
     /// From where the orientation is met best two solutions are as far on either side: the other one, if small steps have led
@@ -239,6 +242,15 @@ impl<T: Float, A> Task<'_, T, A> {
         let moved = told.moved(self.arm);
         let apart = moved > tolerance::<T>() && moved <= T::lit(ASTRAY);
         apart.then(|| self.led(given_out(start, &A::JOINTS), told.free))
+    }
+
+    /// The place of the point may tell two solutions that are near each other no better than one: then the other one.
+    fn across<const N: usize>(&self, told: &Attempt<T, N>) -> Option<Attempt<T, N>>
+    where
+        A: SolveShort<N>,
+    {
+        let start = other_root(self.arm, &self.target.pose, &told.q)?;
+        Some(self.led(given_out(pose::entries(&start), &A::JOINTS), told.free))
     }
 
     /// The turns that the pose asks for once the point is in its place, and all joints settled on it together if they are near:

@@ -6,16 +6,19 @@
 
 use crate::arm::{Arm, Joint, JointKind};
 use crate::ik::base::{Placed, Placements};
+use crate::ik::beyond::{self, Beyond};
+use crate::ik::general::SLACK;
 use crate::ik::rim;
-use crate::ik::settle::improved;
+use crate::ik::settle::{add, improved, settle};
 use crate::ik::straight::{self, Doubt};
 use crate::ik::target::{Target, accepted, is_accepted};
 use crate::ik::wrist::{Wrist, WristFamily};
-use crate::ik::{Base, SETTLED, sliding};
+use crate::ik::{Base, SETTLED, given_out, sliding};
 use crate::math::{self, Float, Lanes, Real};
-use crate::pose::{self, Joints, Pose};
+use crate::pose::{self, Jacobian, Joints, Pose};
 use crate::solutions::{
-    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions,
+    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Near, Reason, Slot, Solution,
+    Solutions,
 };
 use nalgebra::{Matrix3, SVector};
 
@@ -82,6 +85,7 @@ pub(crate) fn solve_placed<T: Float, V: View>(
 ) -> Solutions<T, 6, V::Branch> {
     let ([first, second, _], [outer, _, _]) = V::apart(hold);
     let task = Task { view, target, held: [first, second], outer };
+    let base = view.base::<T>();
     let mut plans = [[Plan::Empty(Reason::NotFinite); 2]; 4];
     let mut doubts = [None; 4];
     let each = ArmPosture::ALL.iter().zip(&mut plans).zip(&mut doubts).enumerate();
@@ -107,6 +111,7 @@ pub(crate) fn solve_placed<T: Float, V: View>(
             None => bent = Some(doubt),
         }
     }
+    let others = beyond::found(&task, &base, placements, &mut plans);
     rim::reached(&task, placements, &mut plans);
     let mut solutions = Solutions::none(sliding(&V::Arm::JOINTS), Reason::NotFinite);
     for (bend, flip) in [(Bend::NoFlip, false), (Bend::Flip, true)] {
@@ -132,7 +137,13 @@ pub(crate) fn solve_placed<T: Float, V: View>(
         }
     }
     solutions.settle_mergers();
-    solutions.merge(task.view.base::<T>().reach());
+    let near = Near::of(T::lit(SLACK) * math::sqrt(T::EPS), base.reach());
+    for Beyond { solution, instead } in others.into_iter().flatten() {
+        if !solutions.add(solution, near) && instead {
+            solutions.put(solution.branch, Slot::Solved(solution));
+        }
+    }
+    solutions.merge(base.reach());
     solutions
 }
 
@@ -207,7 +218,7 @@ impl<T: Float, V: View> Task<'_, T, V> {
         V::free(first, second, line)
     }
 
-    fn wrist(&self, rows: [T; 3]) -> Wrist<T> {
+    pub(super) fn wrist(&self, rows: [T; 3]) -> Wrist<T> {
         self.view.angles(&self.view.rotation(rows, &self.target.pose))
     }
 
@@ -250,8 +261,21 @@ impl<T: Float, V: View> Task<'_, T, V> {
 
     /// A solution that misses the pose by more than the rounding of its figures, brought nearer by small steps if they can.
     fn polished(&self, q: Joints<T, 6>, missed: T) -> (Joints<T, 6>, T) {
-        let is_rough = missed > T::lit(SETTLED) * T::EPS && is_accepted(missed);
-        if is_rough { improved(self.view.arm(), &self.target, (q, missed)) } else { (q, missed) }
+        let is_rough = |missed| missed > T::lit(SETTLED) * T::EPS && is_accepted(missed);
+        if !is_rough(missed) {
+            return (q, missed);
+        }
+        let (q, missed) = improved(self.view.arm(), &self.target, (q, missed));
+        if !is_rough(missed) {
+            return (q, missed);
+        }
+        // No step comes nearer at once; some that need not may in the end.
+        match settle(self.view.arm(), &self.target.pose, &q) {
+            Some((settled, less)) if less < missed => {
+                (given_out(pose::entries(&settled), &V::Arm::JOINTS), less)
+            }
+            _ => (q, missed),
+        }
     }
 
     /// The direction in which the joints may go when the sphere's outer axes coincide: whole numbers, because couplings are.
@@ -288,6 +312,17 @@ impl<T: Float, V: View> Task<'_, T, V> {
         }
         Loose::Follow { joint, moving: set }
     }
+}
+
+/// How the tool moves with row values: what these move is what the commanded joints move that they take.
+pub(super) fn motion<T: Float, V: View>(view: &V, jacobian: &Jacobian<T, 6>, rows: [T; 6]) -> [T; 6] {
+    let mut sum = [T::lit(0.0); 6];
+    for (column, share) in jacobian.data.0.iter().zip(view.command(rows)) {
+        if share != T::lit(0.0) {
+            add(&mut sum, column, share);
+        }
+    }
+    sum
 }
 
 /// A value for each of four placements.

@@ -10,7 +10,7 @@ use crate::arm::Arm;
 use crate::ik::base::Placed;
 use crate::ik::general::{less, solved};
 use crate::ik::settle::{add, error, product};
-use crate::ik::sphere::View;
+use crate::ik::sphere::{View, motion};
 use crate::ik::target::Target;
 use crate::ik::wrist::WristFamily;
 use crate::ik::{Base, DOUBTFUL, ROUND_OFF, given_out};
@@ -153,15 +153,8 @@ impl<T: Float> Motions<T> {
     fn new<V: View>(view: &V, placed: &Placed<T>, jacobian: &Jacobian<T, 6>, reach: T) -> Self {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let ([unit1, unit2, unit3], _) = V::apart(units(&V::Arm::JOINTS, reach));
-        // What a row moves is what the commanded joints move that it takes.
         let moving = |base, sphere| {
-            let mut sum = [zero; 6];
-            for (column, share) in jacobian.data.0.iter().zip(view.command(V::joined(base, sphere))) {
-                if share != zero {
-                    add(&mut sum, column, share);
-                }
-            }
-            let [vx, vy, vz, wx, wy, wz] = sum;
+            let [vx, vy, vz, wx, wy, wz] = motion(view, jacobian, V::joined(base, sphere));
             [vx / reach, vy / reach, vz / reach, wx, wy, wz]
         };
         let still = [zero; 3];

@@ -305,19 +305,21 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 
     /// Puts a solution that no slot holds, nor one within `near` of it, where another branch's was merged or where none is; if all slots
-    /// are taken, where two are as near each other. Not beside a family, which may hold it.
-    pub(crate) fn add(&mut self, solution: Solution<T, N, B>, near: Near<T>) {
+    /// are taken, where two are as near each other. Not beside a family, which may hold it. Tells whether there was room.
+    pub(crate) fn add(&mut self, solution: Solution<T, N, B>, near: Near<T>) -> bool {
         if self.iter().any(|other| !other.is_isolated() || self.same(&other.q, &solution.q, near)) {
-            return;
+            return true;
         }
         if self.slots().iter().all(|slot| slot.solution().is_some()) {
             self.merge_within(near);
         }
         let is_merged = |branch: &&B| matches!(self.get(**branch), Slot::Merged { .. });
         let is_empty = |branch: &&B| matches!(self.get(**branch), Slot::Empty(_));
-        if let Some(branch) = B::ALL.iter().find(is_merged).or_else(|| B::ALL.iter().find(is_empty)) {
+        let room = B::ALL.iter().find(is_merged).or_else(|| B::ALL.iter().find(is_empty));
+        if let Some(branch) = room {
             self.put(*branch, Slot::Solved(Solution { branch: *branch, ..solution }));
         }
+        room.is_some()
     }
 }
 
