@@ -8,7 +8,6 @@ use indicatif::ProgressBar;
 use kin_runtime::prelude::*;
 use kin_runtime::private::SolveWrist;
 use kin_runtime::{Base, singularity};
-use tests::reliability::parts::{OPEN, Part, parts};
 use tests::reliability::report;
 use tests::reliability::run::{Order, State, run};
 use tests::reliability::subject::{ByPose, Subject, Tried};
@@ -17,7 +16,7 @@ use tests::sample::Sampler;
 use tests::skew::Skew;
 
 fn order(poses: u64, patterns: u64) -> Order {
-    Order { poses, patterns, seed: 7, held: true, threads: 2, resume: None }
+    Order { poses, patterns, seed: 7, threads: 2, resume: None }
 }
 
 fn state(order: &Order) -> State {
@@ -37,24 +36,6 @@ fn a_short_run_keeps_every_figure() {
         let (families, blurs) = (tally.families, tally.blurred.tries);
         assert!(families > 50 && blurs > 50, "{family}: {families} {blurs}");
     }
-}
-
-/// What is known not to keep every figure is an arm of its family, and `--held` leaves it out of nothing but the round trips.
-#[test]
-fn what_is_left_out_is_there() {
-    let (all, held) = (parts(1, 1, false), parts(1, 1, true));
-    for (family, arm, _) in OPEN {
-        for part in
-            all.iter().filter(|part| part.name.rsplit_once('-').is_some_and(|(name, _)| name == family))
-        {
-            assert!(part.arms().any(|name| name == arm), "{arm} is not in {}", part.name);
-            let rest = held.iter().find(|rest| rest.name == part.name).expect("a family without arms");
-            assert!(rest.arms().all(|name| name != arm) && rest.arms().count() > 0, "{arm}");
-        }
-    }
-    let wild = |parts: &[Part]| parts.iter().filter(|part| part.wild).map(|part| part.arms().count()).sum();
-    let (before, after): (usize, usize) = (wild(&all), wild(&held));
-    assert!(before == after && before > 0);
 }
 
 /// What `blurred` must not hide: the arm on its other side is as far from every singular set, but no way leads there.

@@ -25,7 +25,6 @@ Round trips through every structural family, most of them aimed at singular sets
                       1e6 of each, 14.3 million in all, take a little over a minute on two cores
     --patterns N      random bit patterns, in all [ten times the poses]
     --seed N          where the random numbers start [1]
-    --held            leave out the arms that are known to miss a figure, as RELIABILITY.md lists them
     --threads N       how many threads; the result does not depend on it [all]
     --resume FILE     keep what is done in FILE, and go on from there if it exists
     --report FILE     where to write the report [RELIABILITY.md of the workspace]
@@ -55,7 +54,7 @@ fn number(text: &str) -> Result<u64, String> {
 fn arguments() -> Result<Option<Arguments>, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let threads = thread::available_parallelism().map_or(1, Into::into);
-    let mut order = Order { poses: 1_000_000, patterns: 0, seed: 1, held: false, threads, resume: None };
+    let mut order = Order { poses: 1_000_000, patterns: 0, seed: 1, threads, resume: None };
     let (mut patterns, mut report, mut again) = (None, Some(root.join("RELIABILITY.md")), None);
     let mut given = std::env::args().skip(1);
     while let Some(option) = given.next() {
@@ -63,7 +62,6 @@ fn arguments() -> Result<Option<Arguments>, String> {
         match option.as_str() {
             "--help" | "-h" => return Ok(None),
             "--no-report" => report = None,
-            "--held" => order.held = true,
             "--poses" => order.poses = number(&value()?)?,
             "--patterns" => patterns = Some(number(&value()?)?),
             "--seed" => order.seed = number(&value()?)?,
@@ -122,7 +120,7 @@ fn all(order: &Order, report: Option<&Path>) -> Result<bool, Box<dyn Error>> {
 /// One try, told in full.
 fn once(order: &Order, which: &str) -> Result<bool, Box<dyn Error>> {
     let (name, index) = which.rsplit_once(':').ok_or("--again takes PART:NUMBER")?;
-    let all = parts(order.poses, order.patterns, order.held);
+    let all = parts(order.poses, order.patterns);
     let part = all.iter().find(|part| part.name == name).ok_or_else(|| {
         let names: Vec<&str> = all.iter().map(|part| part.name.as_str()).collect();
         format!("there is no part `{name}`; there are {}", names.join(", "))

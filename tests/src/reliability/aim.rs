@@ -26,6 +26,8 @@ pub struct Sights {
     straight: Option<(usize, f64)>,
     /// The range of each row value; none for an angle, which may be any.
     ranges: Vec<Option<(f64, f64)>>,
+    /// The arm's reach.
+    reach: f64,
 }
 
 /// What collapses.
@@ -61,8 +63,9 @@ impl Sights {
         base: [usize; 3],
         straight: Option<(usize, f64)>,
         ranges: Vec<Option<(f64, f64)>>,
+        reach: f64,
     ) -> Sights {
-        Sights { figures, base, straight, ranges }
+        Sights { figures, base, straight, ranges, reach }
     }
 
     /// What it is aimed at.
@@ -116,13 +119,26 @@ impl Sights {
             }
             Figures::Lines(lines) if sets & 6 != 0 => {
                 if let Some([at_second, at_third]) = lines.singular([rows[second], rows[third]], random) {
-                    rows[second] = at_second + if sets & 4 != 0 { shoulder } else { 0.0 };
-                    rows[third] = at_third + if sets & 2 != 0 { elbow } else { 0.0 };
+                    self.set(&mut rows, second, at_second, if sets & 4 != 0 { shoulder } else { 0.0 });
+                    self.set(&mut rows, third, at_third, if sets & 2 != 0 { elbow } else { 0.0 });
                 }
             }
             Figures::Lines(_) => {}
         }
         rows
+    }
+
+    /// A row to a value, or so far from it, in radians and reaches. A slide that would then be out of its range, and more than half a
+    /// reach out, stays where it is.
+    fn set(&self, rows: &mut [f64; 6], row: usize, value: f64, off: f64) {
+        let Some((low, high)) = self.ranges[row] else {
+            rows[row] = value + off;
+            return;
+        };
+        let there = value + off * self.reach;
+        if there.abs() <= 0.5 * self.reach || (low..=high).contains(&there) {
+            rows[row] = there;
+        }
     }
 
     /// How far row values are from the shoulder's, the elbow's and the wrist's singular set, as the library measures its
@@ -175,7 +191,7 @@ impl Sights {
     /// Joint 3 to where the links are stretched or folded, or the slide is at its nearest.
     fn close_elbow(&self, rows: &mut [f64; 6], off: f64, folded: bool) {
         let Some(figure) = self.figure() else { return };
-        rows[self.base[2]] = figure.row(2, if folded && !self.slides() { PI } else { 0.0 } + off);
+        self.set(rows, self.base[2], figure.row(2, if folded && !self.slides() { PI } else { 0.0 }), off);
     }
 
     /// Joint 2 to where the wrist centre lies in the plane that both shoulders share, if it comes there at all.
@@ -186,7 +202,8 @@ impl Sights {
         let length = along.hypot(across);
         if length > figure.a1.abs() {
             let turn = (-figure.a1 / length).acos();
-            rows[second] = figure.row(1, if front { turn } else { -turn } - across.atan2(along) + off);
+            let row = figure.row(1, if front { turn } else { -turn } - across.atan2(along));
+            self.set(rows, second, row, off);
         }
     }
 }

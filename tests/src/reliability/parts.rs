@@ -12,13 +12,6 @@ use super::tally::{Fault, Tally};
 use super::trial::Try;
 use crate::sample::Sampler;
 
-/// Arms that miss a figure more often than once in 100,000 tries, by family, with what they miss and how often they did in runs of up to
-/// a million per family. `--held` leaves them out.
-pub const OPEN: [(&str, &str, &str); 2] = [
-    ("short", "SlidingRrprr", "joints lost, slide drawn in and level: 1 in 60,000"),
-    ("shoulder", "Folding", "joints lost, shoulder straight and links folded onto each other: 1 in 15,000"),
-];
-
 /// What is done with one try of one arm.
 type Run = fn(&Entry, u64, &mut Sampler, &mut Tally);
 
@@ -64,20 +57,17 @@ impl Part {
         };
         let stream = self.name.bytes().fold(seed, |hash, byte| Sampler::new(hash ^ u64::from(byte)).bits());
         let start = Sampler::new(stream ^ index).bits();
-        let mut part = Tally::default();
-        let all = AssertUnwindSafe(|| run(arm, index, &mut Sampler::new(start), &mut part));
-        if catch_unwind(all).is_ok() {
-            tally.merge(part);
-        } else {
-            tally.tries += 1;
+        let before = tally.tries;
+        let all = AssertUnwindSafe(|| run(arm, index, &mut Sampler::new(start), tally));
+        if catch_unwind(all).is_err() {
+            tally.tries = before + 1;
             tally.of_mut(Fault::Panicked).add(1.0, index, arm.name, || vec![format!("{start:#x}")]);
         }
     }
 }
 
-/// All parts: so many round trips of doubles per family, a tenth of that of singles, and so many bit patterns. What is [`OPEN`] is left
-/// out of the round trips of what is held.
-pub fn parts(poses: u64, patterns: u64, held: bool) -> Vec<Part> {
+/// All parts: so many round trips of doubles per family, a tenth of that of singles, and so many bit patterns.
+pub fn parts(poses: u64, patterns: u64) -> Vec<Part> {
     static ARMS: OnceLock<Vec<Entry>> = OnceLock::new();
     let arms = ARMS.get_or_init(|| robots().into_iter().chain(invented()).collect());
     let mut families: Vec<Family> = arms.iter().map(|arm| arm.family).collect();
@@ -86,8 +76,7 @@ pub fn parts(poses: u64, patterns: u64, held: bool) -> Vec<Part> {
     let mut parts = Vec::new();
     for (which, format, share) in [(0, "f64", 1), (1, "f32", 10)] {
         for family in &families {
-            let open = |arm: &Entry| OPEN.iter().any(|known| (known.0, known.1) == (family.name, arm.name));
-            let own = arms.iter().filter(|arm| arm.family.name == family.name && !(held && open(arm)));
+            let own = arms.iter().filter(|arm| arm.family.name == family.name);
             parts.push(Part {
                 name: format!("{}-{format}", family.name),
                 wild: false,

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::parts::{OPEN, Part};
+use super::parts::Part;
 use super::run::State;
 use super::tally::{Fault, Tally};
 
@@ -62,10 +62,6 @@ pub fn markdown(state: &State) -> String {
         text.push_str("**Missed:**\n\n");
         missed.iter().for_each(|line| text.push_str(&format!("- {line}\n")));
     }
-    text.push_str(if state.held { LEFT_OUT } else { KNOWN });
-    for (family, arm, what) in OPEN {
-        let _ = writeln!(text, "- {arm} ({family}): {what}.");
-    }
     text.push('\n');
     let round_trips = state.parts.iter().filter(|(name, _)| !name.starts_with("bits"));
     let (blurs, tries) = round_trips.fold((0, 0), |(blurs, tries), (_, done)| {
@@ -76,11 +72,8 @@ pub fn markdown(state: &State) -> String {
         "**Missed as first asked for**, joints within min(10³·ε/σ, 10²·√ε) at every pose: in {blurs} of {tries} tries."
     );
     let command = format!(
-        "cargo run --release -p tests --bin reliability -- --poses {} --patterns {} --seed {}{}",
-        state.poses,
-        state.patterns,
-        state.seed,
-        if state.held { " --held" } else { "" }
+        "cargo run --release -p tests --bin reliability -- --poses {} --patterns {} --seed {}",
+        state.poses, state.patterns, state.seed
     );
     let _ = write!(text, "\n## Counts\n\n`{command}`\n\n{}", table(state));
     text.push_str(LEGEND);
@@ -141,7 +134,7 @@ Written by `cargo run --release -p tests --bin reliability`; not edited by hand.
 ## What is guaranteed
 
 For every arm that `dh!` gives an `ik` or `ik_position`, and for every pose that forward kinematics can produce, up to and at
-every singular set (arms that are known not to keep all of it are named in the verdict):
+every singular set:
 
 - **Something comes back**: no reachable pose is empty.
 - **Nothing is lost**: the joints that the pose came from are among the solutions, or are a member of a returned family,
@@ -185,16 +178,6 @@ every singular set (arms that are known not to keep all of it are named in the v
   the complete sets of the reference.
 
 ## Verdict
-
-";
-
-const KNOWN: &str = "
-Arms that are known to miss a figure more than once in 100,000 tries; CI runs all others (`--held`):
-
-";
-
-const LEFT_OUT: &str = "
-Left out of this run (`--held`), because they are known to miss a figure more than once in 100,000 tries:
 
 ";
 

@@ -28,8 +28,6 @@ pub struct Order {
     pub patterns: u64,
     /// Where the random numbers start.
     pub seed: u64,
-    /// Whether arms that are known to miss a figure are left out.
-    pub held: bool,
     /// How many threads.
     pub threads: usize,
     /// Where the state is kept.
@@ -54,8 +52,6 @@ pub struct State {
     pub poses: u64,
     /// Its bit patterns.
     pub patterns: u64,
-    /// Whether it leaves out what is known to miss a figure.
-    pub held: bool,
     /// Its parts by name.
     pub parts: BTreeMap<String, Done>,
 }
@@ -67,8 +63,8 @@ impl State {
     /// The file cannot be read, or belongs to another run.
     fn begin(order: &Order) -> io::Result<State> {
         let parts = BTreeMap::new();
-        let Order { seed, poses, patterns, held, .. } = *order;
-        let fresh = State { seed, poses, patterns, held, parts };
+        let Order { seed, poses, patterns, .. } = *order;
+        let fresh = State { seed, poses, patterns, parts };
         match order.resume.as_deref().map(fs::read_to_string) {
             None => Ok(fresh),
             Some(Err(error)) if error.kind() == io::ErrorKind::NotFound => Ok(fresh),
@@ -83,7 +79,7 @@ impl State {
 
     /// What there is to do.
     pub fn asked(&self) -> Vec<Part> {
-        parts(self.poses, self.patterns, self.held)
+        parts(self.poses, self.patterns)
     }
 
     /// Written beside the file and then moved onto it, so that an interruption leaves the last state whole.

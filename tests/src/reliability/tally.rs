@@ -110,7 +110,10 @@ impl Count {
     /// Once more.
     pub fn add(&mut self, badness: f64, index: u64, arm: &str, bits: impl FnOnce() -> Vec<String>) {
         self.tries += 1;
-        *self.arms.entry(arm.to_owned()).or_default() += 1;
+        match self.arms.get_mut(arm) {
+            Some(tries) => *tries += 1,
+            None => _ = self.arms.insert(arm.to_owned(), 1),
+        }
         self.worst.add(badness, index, arm, bits);
     }
 

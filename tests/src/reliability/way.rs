@@ -200,14 +200,18 @@ impl<const N: usize> Search<'_, N> {
         q
     }
 
-    /// Joint values near those given that reach the pose.
+    /// Joint values near those given that reach the pose, twice as well as they must if they can.
     fn brought_back(&self, mut q: Joints<f64, N>, tried: &mut usize) -> Option<Joints<f64, N>> {
+        let mut best = (self.window, None);
         for _ in 0..STEPS {
             *tried += 1;
             let (pose, velocities) = self.arm.at(&q);
             let (step, missed) = missing(self.arm, &pose, self.target);
             if missed <= 0.5 * self.window {
                 return Some(q);
+            }
+            if missed <= best.0 {
+                best = (missed, Some(q));
             }
             let velocities = jacobian(self.arm, &velocities);
             let by = match self.manner {
@@ -221,7 +225,7 @@ impl<const N: usize> Search<'_, N> {
             };
             q = moved(self.arm, &q, &by);
         }
-        None
+        best.1
     }
 }
 
