@@ -132,22 +132,29 @@ impl<T: Float> Base<T> {
         (one + first + second * (one + through * first), seen, placed.shoulder == zero || elbow == zero)
     }
 
-    /// How far the point, which is at `p`, is from the axes of joints 1 and 2: round-off over that is what its place tells of their
-    /// values. A slide has no such axis.
-    pub(crate) fn axis_distances(&self, placed: &Placed<T>, p: [T; 3]) -> [T; 2] {
+    /// How far the point, which is at `p`, is from the axes of joints 1 and 2, where that is no more than `near`: round-off over it is
+    /// what its place tells of their values. A slide has no such axis.
+    pub(crate) fn beside_axes(&self, placed: &Placed<T>, p: [T; 3], near: T) -> [Option<T>; 2] {
         let [x, y, _] = p;
-        let second = match self {
-            Base::Elbow(base) => base.second_distance(placed),
-            Base::Telescope(base) => math::hypot(base.arm, placed.elbow),
+        // Most points are told by less than their distance.
+        let beside = |a: T, b: T| {
+            let far = math::abs(a) > near || math::abs(b) > near;
+            Some((a, b)).filter(|_| !far).map(|(a, b)| math::hypot(a, b))
+        };
+        match self {
+            Base::Elbow(base) => {
+                let second =
+                    beside(base.upper - base.fore, T::lit(0.0)).map(|_| base.second_distance(placed));
+                [beside(x, y), second]
+            }
+            Base::Telescope(base) => [beside(x, y), beside(base.arm, placed.elbow)],
             Base::General(base) => {
                 let ([first, second, third], [_, _, o3], [_, _, t3]) = (&base.axes, base.offset, placed.rows);
-                let from = |axis: &Axis<T>, point| {
-                    if axis.slides { T::lit(f64::INFINITY) } else { length(axis.arm(point)) }
-                };
-                return [from(first, p), from(second, third.moved(base.carried, t3 + o3))];
+                let from = |axis: &Axis<T>, point| (!axis.slides).then(|| length(axis.arm(point)));
+                [from(first, p), from(second, third.moved(base.carried, t3 + o3))]
             }
-        };
-        [math::hypot(x, y), second]
+        }
+        .map(|distance| distance.filter(|distance| *distance <= near))
     }
 
     /// The arm's reach.

@@ -15,8 +15,8 @@ use crate::ik::wave::Wave;
 use crate::ik::wrist::Wrist;
 use crate::ik::{SETTLED, given_out};
 use crate::math::{self, Float};
-use crate::pose;
-use crate::solutions::{ArmPosture, Bend, Branch, Free, Solution};
+use crate::pose::{self, Jacobian};
+use crate::solutions::{ArmPosture, Bend, Branch, Free, Near, Slot, Solution, Solutions};
 
 /// Values of the joint that are tried for one that the wrist takes.
 const TRIED: i32 = 16;
@@ -34,62 +34,153 @@ struct Edge<T> {
     joint: usize,
     /// How far that is from where the joint is placed.
     by: T,
-    /// Whether both ways of the wrist there are as good as one, that at another edge before this one.
+    /// Whether that is so little that two ways of the wrist, which become one at an edge before this one, are as good as one.
     one: bool,
 }
 
-/// A solution beyond values that the wrist does not take.
-#[derive(Clone, Copy)]
-pub(super) struct Beyond<T, B> {
-    pub(super) solution: Solution<T, 6, B>,
-    /// Whether it may have the slot of its label, whose solution is as good as one with another.
-    pub(super) instead: bool,
+/// How loose joints 1 and 2 of a placement are: by what angle each may be off with nothing to show for it. Nothing where that is none.
+fn loose<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    base: &Base<T>,
+    placed: &Placed<T>,
+    centre: [T; 3],
+) -> [Option<T>; 2] {
+    let size = task.target.scale;
+    let [first, second] = base.beside_axes(placed, centre, math::sqrt(T::EPS) * size);
+    let of = |distance: Option<T>, is_free: bool| {
+        distance.filter(|_| !is_free).map(|distance| T::lit(SETTLED) * T::EPS * size / distance)
+    };
+    [of(first, placed.shoulder_free), of(second, placed.elbow_free)]
 }
 
-/// What is beyond values that the wrist does not take, the nearest first. Where the figure says such a value the slots of that
-/// placement take the nearest that the wrist does.
-pub(super) fn found<T: Float, V: View>(
+/// The rims of the wrist, if there may be something beyond them: nearly all poses have no joint that is loose, and most wrists take any
+/// angle.
+pub(super) fn rims<T: Float, V: View>(
     task: &Task<'_, T, V>,
     base: &Base<T>,
     placements: &Placements<T>,
+    plans: &[[Plan<T, V::Branch>; 2]; 4],
+) -> Option<Rims<T>> {
+    let centre = task.view.centre(&task.target.pose);
+    let is_loose = |posture: &ArmPosture| {
+        let placed = posture.of(placements).as_ref();
+        placed.is_ok_and(|placed| loose(task, base, placed, centre) != [None; 2])
+    };
+    if ArmPosture::ALL.iter().any(is_loose) { Rims::of(task, plans) } else { None }
+}
+
+/// Where the figure says a value that the wrist does not take the slots of that placement take the nearest that it does.
+#[inline(never)]
+pub(super) fn replaced<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    (base, rims): (&Base<T>, &Rims<T>),
+    placements: &Placements<T>,
     plans: &mut [[Plan<T, V::Branch>; 2]; 4],
-) -> [Option<Beyond<T, V::Branch>>; KEPT] {
-    let (near, centre) = (math::sqrt(T::EPS) * task.target.scale, task.view.centre(&task.target.pose));
-    let mut nearest = [None; KEPT];
+) {
     for (posture, both) in ArmPosture::ALL.iter().zip(plans) {
-        let Ok(placed) = posture.of(placements) else { continue };
-        let free = [placed.shoulder_free, placed.elbow_free];
-        let mut own = [None; KEPT];
-        for (joint, (distance, is_free)) in
-            base.axis_distances(placed, centre).into_iter().zip(free).enumerate()
-        {
-            if is_free || distance > near {
-                continue;
-            }
-            let loose = T::lit(SETTLED) * T::EPS * task.target.scale / distance;
-            for by in edges(task, placed, joint).into_iter().flatten().filter(|by| math::abs(*by) <= loose) {
-                let one = matches!(both, [Plan::Try(..), _]) && math::abs(by) <= T::lit(ONE) * loose;
-                keep(&mut own, Edge { posture: *posture, joint, by, one });
-            }
+        let (Ok(placed), [Plan::Rim(..), _]) = (posture.of(placements), *both) else { continue };
+        let own = nearest(task, (base, rims), *posture, placed).into_iter().flatten();
+        if let Some(solution) = own.into_iter().find_map(|edge| settled(task, placed, edge)) {
+            let rows = task.view.rows(pose::entries(&solution.q));
+            let same = Plan::Again(V::branch(*posture, Bend::NoFlip));
+            *both = [Plan::Try(rows, solution.margins, solution.free), same];
         }
-        let mut own = own.into_iter().flatten();
-        match both {
-            [Plan::Rim(..), _] => {
-                let Some(solution) = own.find_map(|edge| settled(task, placed, edge)) else { continue };
-                let rows = task.view.rows(pose::entries(&solution.q));
-                let same = Plan::Again(V::branch(*posture, Bend::NoFlip));
-                *both = [Plan::Try(rows, solution.margins, solution.free), same];
-            }
-            [Plan::Try(..), _] => {}
-            [Plan::Again(_) | Plan::Empty(_), _] => continue,
-        }
-        own.for_each(|edge| keep(&mut nearest, edge));
     }
-    nearest.map(|edge| {
-        let edge = edge?;
-        let solution = settled(task, edge.posture.of(placements).as_ref().ok()?, edge)?;
-        Some(Beyond { solution, instead: edge.one })
-    })
+}
+
+/// Adds what is beyond values that the wrist does not take, the nearest first: where there is no room, in the place of a solution that is
+/// as good as one with another.
+#[inline(never)]
+pub(super) fn added<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    (base, rims): (&Base<T>, &Rims<T>),
+    placements: &Placements<T>,
+    plans: &[[Plan<T, V::Branch>; 2]; 4],
+    solutions: &mut Solutions<T, 6, V::Branch>,
+) {
+    let mut all = [None; KEPT];
+    for (posture, both) in ArmPosture::ALL.iter().zip(plans) {
+        let (Ok(placed), [Plan::Try(..), second]) = (posture.of(placements), both) else { continue };
+        let has_two = matches!(second, Plan::Try(..));
+        for edge in nearest(task, (base, rims), *posture, placed).into_iter().flatten() {
+            keep(&mut all, Edge { one: edge.one && has_two, ..edge });
+        }
+    }
+    let near = Near::of(T::lit(SLACK) * math::sqrt(T::EPS), base.reach());
+    for edge in all.into_iter().flatten() {
+        let Ok(placed) = edge.posture.of(placements) else { continue };
+        if let Some(solution) = settled(task, placed, edge)
+            && !solutions.add(solution, near)
+            && edge.one
+        {
+            solutions.put(solution.branch, Slot::Solved(solution));
+        }
+    }
+}
+
+/// The edges of one placement that its joints may be off by, in their order.
+fn nearest<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    (base, rims): (&Base<T>, &Rims<T>),
+    posture: ArmPosture,
+    placed: &Placed<T>,
+) -> [Option<Edge<T>>; KEPT] {
+    let mut own = [None; KEPT];
+    let centre = task.view.centre(&task.target.pose);
+    for (joint, loose) in loose(task, base, placed, centre).into_iter().enumerate() {
+        let Some(loose) = loose else { continue };
+        let edges = edges(task, rims, placed, joint).into_iter().flatten();
+        for by in edges.filter(|by| math::abs(*by) <= loose) {
+            keep(&mut own, Edge { posture, joint, by, one: math::abs(by) <= T::lit(ONE) * loose });
+        }
+    }
+    own
+}
+
+/// The cosines of the angles between the outer axes of an oblique wrist at the rims of its cone.
+pub(super) struct Rims<T> {
+    near: T,
+    far: T,
+}
+
+impl<T: Float> Rims<T> {
+    /// From the axes wherever they are; none for a wrist that takes any angle.
+    fn of<V: View>(task: &Task<'_, T, V>, plans: &[[Plan<T, V::Branch>; 2]; 4]) -> Option<Self> {
+        let rows = plans.iter().flatten().find_map(|plan| match plan {
+            Plan::Try(rows, ..) | Plan::Rim(rows, ..) => Some(*rows),
+            Plan::Again(_) | Plan::Empty(_) => None,
+        })?;
+        let [first, middle, last] = Axes::at(task, rows).outer();
+        let product = pose::dot(&first, &middle) * pose::dot(&middle, &last);
+        let twists = length(cross(first, middle)) * length(cross(middle, last));
+        let (near, far, slack) = (product + twists, product - twists, T::lit(SLACK) * T::EPS);
+        (near < T::lit(1.0) - slack || far > slack - T::lit(1.0)).then_some(Rims { near, far })
+    }
+}
+
+/// The axes of rows.
+struct Axes<'a, T: Float, V> {
+    view: &'a V,
+    jacobian: Jacobian<T, 6>,
+}
+
+impl<'a, T: Float, V: View> Axes<'a, T, V> {
+    /// Where they are.
+    fn at(task: &Task<'a, T, V>, rows: [T; 6]) -> Self {
+        let q = given_out(task.view.command(rows), &V::Arm::JOINTS);
+        Axes { view: task.view, jacobian: task.view.arm().jacobian(&q) }
+    }
+
+    fn axis(&self, base: [T; 3], sphere: [T; 3]) -> [T; 3] {
+        let [_, _, _, x, y, z] = motion(self.view, &self.jacobian, V::joined(base, sphere));
+        [x, y, z]
+    }
+
+    /// Those of the wrist.
+    fn outer(&self) -> [[T; 3]; 3] {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|turn| self.axis([zero; 3], turn))
+    }
 }
 
 /// Keeps an edge among the nearest, in their order.
@@ -115,38 +206,35 @@ fn turned<T: Float>(mut rows: [T; 3], joint: usize, by: T) -> [T; 3] {
 }
 
 /// How far a joint is from where values begin that the wrist takes, after others that it does not: on either side at most two.
-fn edges<T: Float, V: View>(task: &Task<'_, T, V>, placed: &Placed<T>, joint: usize) -> [Option<T>; 4] {
-    let nothing = [None; 4];
-    let Some((from, [near, far])) = cosine(task, placed, joint) else { return nothing };
-    let is_taken = |angle| (far..=near).contains(&from.at(angle));
-    let mut all = nothing;
+fn edges<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    Rims { near, far }: &Rims<T>,
+    placed: &Placed<T>,
+    joint: usize,
+) -> [Option<T>; 4] {
+    let mut all = [None; 4];
+    let Some(from) = cosine(task, placed, joint) else { return all };
     for (pair, rim) in all.chunks_mut(2).zip([near, far]) {
-        let wave = from.less(rim);
+        let wave = from.less(*rim);
         if wave.crosses() {
             pair.iter_mut().zip([false, true]).for_each(|(edge, side)| *edge = Some(wave.zero(side)));
         }
     }
     all.map(|edge| {
-        // Halfway from the edge before it, on the way from where the joint is.
         let edge = edge?;
-        let on_the_way =
+        let ahead =
             |other: &T| (*other > T::lit(0.0)) == (edge > T::lit(0.0)) && math::abs(*other) < math::abs(edge);
-        let before = all.iter().flatten().filter(|other| on_the_way(other));
-        let before = before
-            .fold(T::lit(0.0), |last, other| if math::abs(*other) > math::abs(last) { *other } else { last });
-        (!is_taken((before + edge) * T::lit(0.5))).then_some(edge)
+        let farther = |a: T, b: &T| if math::abs(*b) > math::abs(a) { *b } else { a };
+        // Halfway from the edge before it, or from where the joint is.
+        let before = all.iter().flatten().filter(|other| ahead(other)).fold(T::lit(0.0), farther);
+        let cosine = from.at((before + edge) * T::lit(0.5));
+        (cosine > *near || cosine < *far).then_some(edge)
     })
 }
 
-/// The cosine of the angle between the outer axes of the wrist, by how far a joint of the base is from where it is placed, and the
-/// values of it at the rims, the larger first; none for a wrist that takes any angle, and where it takes none of those that are
-/// tried.
-fn cosine<T: Float, V: View>(
-    task: &Task<'_, T, V>,
-    placed: &Placed<T>,
-    joint: usize,
-) -> Option<(Wave<T>, [T; 2])> {
-    let (zero, one, view) = (T::lit(0.0), T::lit(1.0), task.view);
+/// The cosine of the angle between the outer axes of the wrist, by how far a joint of the base is from where it is placed; none where the
+/// wrist takes none of the values that are tried.
+fn cosine<T: Float, V: View>(task: &Task<'_, T, V>, placed: &Placed<T>, joint: usize) -> Option<Wave<T>> {
     let step = math::half_turn::<T>() * T::lit(2.0 / f64::from(TRIED));
     let (by, rows) = (0..TRIED).find_map(|turn| {
         let by = math::wrap(step * T::lit(f64::from(turn)));
@@ -154,32 +242,15 @@ fn cosine<T: Float, V: View>(
         let Wrist::Two { noflip, .. } = task.wrist(rows) else { return None };
         Some((by, V::joined(rows, noflip)))
     })?;
-    let q = given_out(view.command(rows), &V::Arm::JOINTS);
-    let jacobian = view.arm().jacobian(&q);
-    let axis = |base, sphere| {
-        let [_, _, _, x, y, z] = motion(view, &jacobian, V::joined(base, sphere));
-        [x, y, z]
-    };
-    let still = [zero; 3];
-    let outer =
-        [axis(still, [one, zero, zero]), axis(still, [zero, one, zero]), axis(still, [zero, zero, one])];
-    let [first, middle, last] = outer;
-    let (product, twists) = (
-        pose::dot(&first, &middle) * pose::dot(&middle, &last),
-        length(cross(first, middle)) * length(cross(middle, last)),
-    );
-    let rims = [product + twists, product - twists];
-    let [near, far] = rims;
-    let slack = T::lit(SLACK) * T::EPS;
-    if near >= one - slack && far <= slack - one {
-        return None;
-    }
+    let axes = Axes::at(task, rows);
+    let [first, _, last] = axes.outer();
+    let still = [T::lit(0.0); 3];
     // The joint turns the first axis, which the base carries, or the last one the other way, where the base is the tool's.
-    let about = axis(turned(still, joint, one), still);
+    let about = axes.axis(turned(still, joint, T::lit(1.0)), still);
     let mean = pose::dot(&about, &first) * pose::dot(&about, &last);
     let (cosine, sine) = (pose::dot(&first, &last) - mean, pose::dot(&cross(about, first), &last));
     // Told from where the joint is, not from where it was tried.
-    Some((Wave { mean, cosine, sine }.delayed(by), rims))
+    Some(Wave { mean, cosine, sine }.delayed(by))
 }
 
 /// The solution at an edge.

@@ -6,8 +6,7 @@
 
 use crate::arm::{Arm, Joint, JointKind};
 use crate::ik::base::{Placed, Placements};
-use crate::ik::beyond::{self, Beyond};
-use crate::ik::general::SLACK;
+use crate::ik::beyond;
 use crate::ik::rim;
 use crate::ik::settle::{add, improved, settle};
 use crate::ik::straight::{self, Doubt};
@@ -17,8 +16,7 @@ use crate::ik::{Base, SETTLED, given_out, sliding};
 use crate::math::{self, Float, Lanes, Real};
 use crate::pose::{self, Jacobian, Joints, Pose};
 use crate::solutions::{
-    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Near, Reason, Slot, Solution,
-    Solutions,
+    ArmPosture, Bend, Boundary, Branch, Free, JointSet, Loose, Margins, Reason, Slot, Solution, Solutions,
 };
 use nalgebra::{Matrix3, SVector};
 
@@ -111,7 +109,10 @@ pub(crate) fn solve_placed<T: Float, V: View>(
             None => bent = Some(doubt),
         }
     }
-    let others = beyond::found(&task, &base, placements, &mut plans);
+    let rims = beyond::rims(&task, &base, placements, &plans);
+    if let Some(rims) = &rims {
+        beyond::replaced(&task, (&base, rims), placements, &mut plans);
+    }
     rim::reached(&task, placements, &mut plans);
     let mut solutions = Solutions::none(sliding(&V::Arm::JOINTS), Reason::NotFinite);
     for (bend, flip) in [(Bend::NoFlip, false), (Bend::Flip, true)] {
@@ -137,11 +138,8 @@ pub(crate) fn solve_placed<T: Float, V: View>(
         }
     }
     solutions.settle_mergers();
-    let near = Near::of(T::lit(SLACK) * math::sqrt(T::EPS), base.reach());
-    for Beyond { solution, instead } in others.into_iter().flatten() {
-        if !solutions.add(solution, near) && instead {
-            solutions.put(solution.branch, Slot::Solved(solution));
-        }
+    if let Some(rims) = &rims {
+        beyond::added(&task, (&base, rims), placements, &plans, &mut solutions);
     }
     solutions.merge(base.reach());
     solutions
@@ -261,12 +259,14 @@ impl<T: Float, V: View> Task<'_, T, V> {
 
     /// A solution that misses the pose by more than the rounding of its figures, brought nearer by small steps if they can.
     fn polished(&self, q: Joints<T, 6>, missed: T) -> (Joints<T, 6>, T) {
-        let is_rough = |missed| missed > T::lit(SETTLED) * T::EPS && is_accepted(missed);
-        if !is_rough(missed) {
-            return (q, missed);
-        }
+        let is_rough = missed > T::lit(SETTLED) * T::EPS && is_accepted(missed);
+        if is_rough { self.smoothed(q, missed) } else { (q, missed) }
+    }
+
+    #[inline(never)]
+    fn smoothed(&self, q: Joints<T, 6>, missed: T) -> (Joints<T, 6>, T) {
         let (q, missed) = improved(self.view.arm(), &self.target, (q, missed));
-        if !is_rough(missed) {
+        if missed <= T::lit(SETTLED) * T::EPS {
             return (q, missed);
         }
         // No step comes nearer at once; some that need not may in the end.

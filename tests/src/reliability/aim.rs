@@ -7,7 +7,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use kin_runtime::Base;
+use kin_runtime::{Base, math};
 
 use super::lines::Lines;
 use crate::sample::Sampler;
@@ -157,16 +157,19 @@ impl Sights {
         let Some(figure) = self.figure() else { return [None, None, wrist] };
         let (psi2, psi3) = (figure.angle(1, rows[second]), figure.angle(2, rows[third]));
         let elbow = if self.slides() { psi3.abs() } else { from_straight(psi3) };
-        let shoulder = self
-            .centre(psi3)
-            .map(|[along, across]| (along * psi2.cos() - across * psi2.sin() + figure.a1).abs());
+        let (sine, cosine) = math::sin_cos(psi2);
+        let from_plane = |[along, across]: [f64; 2]| (along * cosine - across * sine + figure.a1).abs();
+        let shoulder = self.centre(psi3).map(from_plane);
         [shoulder, Some(elbow), wrist]
     }
 
     /// The wrist centre in the arm's plane, before joint 2 turns it.
     fn centre(&self, psi3: f64) -> Option<[f64; 2]> {
         match &self.figures {
-            Figures::Planar(Base::Elbow(b)) => Some([b.upper + b.fore * psi3.cos(), b.fore * psi3.sin()]),
+            Figures::Planar(Base::Elbow(b)) => {
+                let (sine, cosine) = math::sin_cos(psi3);
+                Some([b.upper + b.fore * cosine, b.fore * sine])
+            }
             Figures::Planar(Base::Telescope(b)) => Some([b.arm, psi3]),
             _ => None,
         }
@@ -199,10 +202,10 @@ impl Sights {
         let [_, second, third] = self.base;
         let Some(figure) = self.figure() else { return };
         let Some([along, across]) = self.centre(figure.angle(2, rows[third])) else { return };
-        let length = along.hypot(across);
+        let length = math::hypot(along, across);
         if length > figure.a1.abs() {
-            let turn = (-figure.a1 / length).acos();
-            let row = figure.row(1, if front { turn } else { -turn } - across.atan2(along));
+            let turn = arc_cosine(-figure.a1 / length);
+            let row = figure.row(1, if front { turn } else { -turn } - math::atan2(across, along));
             self.set(rows, second, row, off);
         }
     }
@@ -216,6 +219,11 @@ impl Figure {
     fn angle(&self, joint: usize, row: f64) -> f64 {
         if self.reversed[joint] { self.offset[joint] - row } else { row + self.offset[joint] }
     }
+}
+
+/// In [0, π], by the functions of the library as everything here: those of `std` are not the same on every machine.
+pub(super) fn arc_cosine(cosine: f64) -> f64 {
+    math::atan2(((1.0 - cosine) * (1.0 + cosine)).sqrt(), cosine)
 }
 
 /// ±10^-k, as it is or somewhere around it, or nothing.

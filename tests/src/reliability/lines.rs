@@ -7,10 +7,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use kin_runtime::PairBase;
 use kin_runtime::ik::{Axis, GeneralBase};
-use nalgebra::{Matrix2, Matrix3, Rotation3, Unit, Vector2, Vector3};
+use kin_runtime::{PairBase, math};
+use nalgebra::{Matrix2, Matrix3, Unit, Vector2, Vector3};
 
+use super::aim::arc_cosine;
 use crate::sample::Sampler;
 
 /// The carried point must miss an axis, or the determinant zero, by no more than this for a place to be singular.
@@ -55,7 +56,11 @@ impl Line {
     }
 
     fn turned(&self, v: Vector3<f64>, value: f64) -> Vector3<f64> {
-        if self.slides { v } else { Rotation3::from_axis_angle(&self.direction, value) * v }
+        if self.slides {
+            return v;
+        }
+        let ((sine, cosine), along) = (math::sin_cos(value), self.direction.into_inner());
+        v * cosine + along.cross(&v) * sine + along * (along.dot(&v) * (1.0 - cosine))
     }
 
     fn moved(&self, point: Vector3<f64>, value: f64) -> Vector3<f64> {
@@ -160,7 +165,10 @@ impl Lines {
     pub fn margins(&self, rows: [f64; 2]) -> [f64; 2] {
         let [first, second, third] = self.motions(self.figures(rows));
         let pair = first.cross(&second);
-        [pair.norm() / second.norm() * self.reach, pair.dot(&third).abs().atan2(pair.cross(&third).norm())]
+        [
+            pair.norm() / second.norm() * self.reach,
+            math::atan2(pair.dot(&third).abs(), pair.cross(&third).norm()),
+        ]
     }
 
     fn figures(&self, [second, third]: [f64; 2]) -> [f64; 2] {
@@ -201,9 +209,9 @@ impl Lines {
         let (ahead, aside, behind) = (at(0.0), at(FRAC_PI_2), at(PI));
         let (mean, cosine) = (0.5 * (ahead + behind), 0.5 * (ahead - behind));
         let sine = aside - mean;
-        let cosine_of_turn = -mean / cosine.hypot(sine);
-        let turn = (cosine_of_turn.abs() <= 1.0).then(|| cosine_of_turn.acos())?;
-        let middle = sine.atan2(cosine);
+        let cosine_of_turn = -mean / math::hypot(cosine, sine);
+        let turn = (cosine_of_turn.abs() <= 1.0).then(|| arc_cosine(cosine_of_turn))?;
+        let middle = math::atan2(sine, cosine);
         Some(if random.below(2) == 0 { middle + turn } else { middle - turn })
     }
 
