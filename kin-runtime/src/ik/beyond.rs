@@ -16,7 +16,7 @@ use crate::ik::wrist::Wrist;
 use crate::ik::{SETTLED, given_out};
 use crate::math::{self, Float};
 use crate::pose::{self, Jacobian};
-use crate::solutions::{ArmPosture, Bend, Branch, Free, Near, Slot, Solution, Solutions};
+use crate::solutions::{ArmPosture, Bend, Branch, Near, Slot, Solution, Solutions};
 
 /// Values of the joint that are tried for one that the wrist takes.
 const TRIED: i32 = 16;
@@ -79,8 +79,8 @@ pub(super) fn replaced<T: Float, V: View>(
 ) {
     for (posture, both) in ArmPosture::ALL.iter().zip(plans) {
         let (Ok(placed), [Plan::Rim(..), _]) = (posture.of(placements), *both) else { continue };
-        let own = nearest(task, (base, rims), *posture, placed).into_iter().flatten();
-        if let Some(solution) = own.into_iter().find_map(|edge| settled(task, placed, edge)) {
+        let mut own = nearest(task, (base, rims), *posture, placed).into_iter().flatten();
+        if let Some(solution) = own.find_map(|edge| settled(task, placed, edge)) {
             let rows = task.view.rows(pose::entries(&solution.q));
             let same = Plan::Again(V::branch(*posture, Bend::NoFlip));
             *both = [Plan::Try(rows, solution.margins, solution.free), same];
@@ -267,11 +267,15 @@ fn settled<T: Float, V: View>(
     };
     let start = given_out(task.view.command(V::joined(base, sphere)), &V::Arm::JOINTS);
     let (q, residual) = settle(task.view.arm(), &task.target.pose, &start)?;
-    (residual <= T::lit(SETTLED) * T::EPS).then(|| Solution {
-        branch: V::branch(posture, Bend::Flip),
-        q: given_out(pose::entries(&q), &V::Arm::JOINTS),
-        residual,
-        margins: V::margins(placed.shoulder, placed.elbow, T::lit(0.0)),
-        free: Free::NOTHING,
+    let q = given_out(pose::entries(&q), &V::Arm::JOINTS);
+    (residual <= T::lit(SETTLED) * T::EPS).then(|| {
+        let (rows, sphere) = V::apart(task.view.rows(pose::entries(&q)));
+        Solution {
+            branch: V::branch(posture, Bend::Flip),
+            q,
+            residual,
+            margins: V::margins(placed.shoulder, placed.elbow, T::lit(0.0)),
+            free: task.free(&Placed { rows, ..*placed }, sphere, None),
+        }
     })
 }
