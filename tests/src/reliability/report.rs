@@ -143,7 +143,7 @@ every singular set:
   comes back that the pose cannot tell from them.
 - **Nothing is wrong**: forward kinematics of every solution returns to the pose within 16 ε of the reach (positions) and
   16 ε (rotation entries); where the joints that carry the point are a general base, within 64 ε. The solver itself refuses
-  whatever misses by more than 64 ε.
+  whatever misses by more than 64 ε, of the reach or of the pose's largest coordinate if a slide without limits leads farther out.
 - **Nothing comes twice**: two solutions differ by more than 6.7·√ε (1e-7 for doubles), and there are never more than the
   structure has: 4 ways of three joints that carry a point, 2 where two of them slide or where there are two, 1 where three
   slide; twice that with a spherical wrist or shoulder.
@@ -186,9 +186,10 @@ A try of a family takes joint values, goes forward to the pose and back. One in 
 sets of the wrist (or of a spherical shoulder), and of the joints that carry its centre or the tool point, alone and together, at
 ±10⁻ᵏ, k = 0 … 17, and exactly: the elbow stretched and folded, both shoulders in one; on a general base wherever the determinant
 of its motions vanishes, where the point comes onto axis 1 or 2, where the singular set crosses itself, and its cusps; and, without
-a wrist, whole quarter turns of any joint. A try of `bits` puts random bit patterns through `fk` and `jacobian`, and through the
-inverse poses that are random bits, or an arm's own pose with one entry replaced by random bits, or by 0, -0, NaN, ±∞, a denormal
-or a huge number, or scaled, or with every entry off by some last bits.
+a wrist, whole quarter turns of any joint. Distances of slides are in reaches; a slide stays within its range, or else within half
+a reach. A try of `bits` puts random bit patterns through `fk` and `jacobian`, and through the inverse poses that are random bits,
+or an arm's own pose with one entry replaced by random bits, or by 0, -0, NaN, ±∞, a denormal or a huge number, or scaled, or with
+every entry off by some last bits.
 
 - empty: a pose without a solution · lost: neither the joints that went in come back nor others that the pose cannot tell from them
 - inexact: a solution misses the pose by more than 16 ε (64 ε on a general base) · twice: one solution in two slots
@@ -244,15 +245,13 @@ A Cortex-M4 has no doubles in hardware.
 - forward: `fk`, `frames`, `jacobian` and `fk_jacobian` of the Puma 560, all four.
 - elbow, slide, oblique, general: `ik` of the IRB 2400, of the Stanford arm, of an arm with an oblique wrist, and of an arm with
   three skew axes and one with two slides.
-- ball: `ik` of an arm whose first three axes meet; short: `ik` and `ik_near` of a SCARA and of an arm with three parallel axes,
-  `ik_position` of two joints.
 - batch: `fk_jacobian` of sixteen configurations, told of as it goes, and `ik_batch` of sixteen poses.
 - position: `ik_position`, `ik_position_near_within`, `closest_point` and `position_dexterity` of a three-joint arm, all four.
 - choice: `ik_holding`, then `nearest`, `within`, `nearest_winding`, `ik_near_within`, `closest`, `dexterity`, up to 64 `windings`, and of a
   family the constraint, the nearest member and the ranges of members within limits.
 - track: four steps, looking four poses ahead, on paths that may be singular throughout, with the solutions of each pose counted.
-- ball: `ik` of an arm whose first three axes meet. short: `ik` and `ik_near` of the Cobra 600 and the Orion 5, `ik_position` of two
-  joints.
+- ball: `ik` of an arm whose first three axes meet.
+- short: `ik` and `ik_near` of the Cobra 600 and the Orion 5, `ik_position` of two joints.
 - trajectory: a trajectory of six joints, the same in a given time, a route through three stops, a line and an arc of the tool; all of
   their properties, and up to eight samples of each.
 - watch: every figure and every factor of arms of three, six and seven joints; what is run is the Puma's: two readings, and of the
