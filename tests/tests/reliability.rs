@@ -2,15 +2,17 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use indicatif::ProgressBar;
 use kin_runtime::prelude::*;
 use kin_runtime::private::SolveWrist;
 use kin_runtime::{Base, singularity};
+use tests::reliability::parts::parts;
 use tests::reliability::report;
 use tests::reliability::run::{Order, State, run};
 use tests::reliability::subject::{ByPose, Subject, Tried};
+use tests::reliability::tally::Tally;
 use tests::reliability::way;
 use tests::sample::Sampler;
 use tests::skew::Skew;
@@ -106,6 +108,33 @@ fn threads_and_interruptions_change_nothing() {
     assert_eq!(whole, state(&kept));
     // Another run's file is refused.
     assert!(run(&Order { seed: 8, ..kept }, &ProgressBar::hidden()).is_err());
+}
+
+/// Whatever else is built, and on whatever machine, a try is the same: those that RELIABILITY.md names are found again.
+#[test]
+fn the_tries_that_the_report_names_are_found_again() {
+    let report = Path::new(env!("CARGO_MANIFEST_DIR")).join("../RELIABILITY.md");
+    let report = fs::read_to_string(report).expect("the report");
+    let (_, after) = report.split_once("--bin reliability -- --seed ").expect("how to run one again");
+    let (seed, _) = after.split_once(' ').expect("a seed");
+    let (all, mut count) = (parts(1, 1), 0);
+    for line in report.lines().filter(|line| line.contains("| `0x")) {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [_, named, arm, _, bits, _] = cells[..] else { panic!("{line}") };
+        let (name, index) = named.split_once(':').expect("a part and a number");
+        let part = all.iter().find(|part| part.name == name).expect("a part");
+        let mut tally = Tally::default();
+        part.run(seed.parse().expect("a number"), index.parse().expect("a number"), &mut tally);
+        // Every try has a residual; wild bits have none.
+        let again = tally.residual.0.first().unwrap_or_else(|| panic!("{line}"));
+        assert_eq!(
+            (again.arm.as_str(), again.bits.join(" ").as_str()),
+            (arm, bits.trim_matches('`')),
+            "{line}"
+        );
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
 }
 
 /// Why joints are called blurred: these two vectors are 1e-4 apart, and what they reach is one pose to the last bits.
