@@ -137,14 +137,11 @@ impl<T: Float> Base<T> {
     pub(crate) fn beside_axes(&self, placed: &Placed<T>, p: [T; 3], near: T) -> [Option<T>; 2] {
         let [x, y, _] = p;
         // Most points are told by less than their distance.
-        let beside = |a: T, b: T| {
-            let far = math::abs(a) > near || math::abs(b) > near;
-            Some((a, b)).filter(|_| !far).map(|(a, b)| math::hypot(a, b))
-        };
+        let is_far = |a: T| math::abs(a) > near;
+        let beside = |a: T, b: T| (!is_far(a) && !is_far(b)).then(|| math::hypot(a, b));
         match self {
             Base::Elbow(base) => {
-                let second =
-                    beside(base.upper - base.fore, T::lit(0.0)).map(|_| base.second_distance(placed));
+                let second = (!is_far(base.upper - base.fore)).then(|| base.second_distance(placed));
                 [beside(x, y), second]
             }
             Base::Telescope(base) => [beside(x, y), beside(base.arm, placed.elbow)],

@@ -150,7 +150,7 @@ impl<T: Float> Rims<T> {
             Plan::Try(rows, ..) | Plan::Rim(rows, ..) => Some(*rows),
             Plan::Again(_) | Plan::Empty(_) => None,
         })?;
-        let [first, middle, last] = Axes::at(task, rows).outer();
+        let [first, middle, last] = Axes::at(task, rows).wrist();
         let product = pose::dot(&first, &middle) * pose::dot(&middle, &last);
         let twists = length(cross(first, middle)) * length(cross(middle, last));
         let (near, far, slack) = (product + twists, product - twists, T::lit(SLACK) * T::EPS);
@@ -158,14 +158,14 @@ impl<T: Float> Rims<T> {
     }
 }
 
-/// The axes of rows.
+/// The axes that rows turn about, somewhere.
 struct Axes<'a, T: Float, V> {
     view: &'a V,
     jacobian: Jacobian<T, 6>,
 }
 
 impl<'a, T: Float, V: View> Axes<'a, T, V> {
-    /// Where they are.
+    /// Where the rows have these values.
     fn at(task: &Task<'a, T, V>, rows: [T; 6]) -> Self {
         let q = given_out(task.view.command(rows), &V::Arm::JOINTS);
         Axes { view: task.view, jacobian: task.view.arm().jacobian(&q) }
@@ -177,7 +177,7 @@ impl<'a, T: Float, V: View> Axes<'a, T, V> {
     }
 
     /// Those of the wrist.
-    fn outer(&self) -> [[T; 3]; 3] {
+    fn wrist(&self) -> [[T; 3]; 3] {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|turn| self.axis([zero; 3], turn))
     }
@@ -243,7 +243,7 @@ fn cosine<T: Float, V: View>(task: &Task<'_, T, V>, placed: &Placed<T>, joint: u
         Some((by, V::joined(rows, noflip)))
     })?;
     let axes = Axes::at(task, rows);
-    let [first, _, last] = axes.outer();
+    let [first, _, last] = axes.wrist();
     let still = [T::lit(0.0); 3];
     // The joint turns the first axis, which the base carries, or the last one the other way, where the base is the tool's.
     let about = axes.axis(turned(still, joint, T::lit(1.0)), still);
