@@ -7,7 +7,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use kin_runtime::{Base, math};
+use kin_runtime::prelude::*;
+use kin_runtime::{Base, JointKind, math};
 
 use super::lines::Lines;
 use crate::sample::Sampler;
@@ -58,14 +59,13 @@ impl Figures {
 
 impl Sights {
     /// For an arm with these figures, the rows of whose joints are these.
-    pub fn new(
+    pub fn new<const N: usize, A: Arm<N>>(
         figures: Figures,
         base: [usize; 3],
         straight: Option<(usize, f64)>,
-        ranges: Vec<Option<(f64, f64)>>,
-        reach: f64,
+        arm: &A,
     ) -> Sights {
-        Sights { figures, base, straight, ranges, reach }
+        Sights { figures, base, straight, ranges: ranges(arm), reach: arm.reach() }
     }
 
     /// What it is aimed at.
@@ -209,6 +209,16 @@ impl Sights {
             self.set(rows, second, row, off);
         }
     }
+}
+
+/// Of a sliding joint its range, or half the reach to either side; none of a turning one.
+fn ranges<const N: usize, A: Arm<N>>(arm: &A) -> Vec<Option<(f64, f64)>> {
+    let half = 0.5 * arm.reach();
+    let range = |joint: usize| match A::JOINTS[joint].kind {
+        JointKind::Prismatic => Some(arm.limits().range(joint).unwrap_or((-half, half))),
+        JointKind::Revolute => None,
+    };
+    (0..N).map(range).collect()
 }
 
 impl Figure {

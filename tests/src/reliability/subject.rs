@@ -2,7 +2,7 @@
 
 use kin_runtime::ik::{Carrier, PairBase};
 use kin_runtime::private::{SolvePair, SolvePosition, SolveShort, SolveShoulder, SolveWrist};
-use kin_runtime::{Base, JointKind, Wrist};
+use kin_runtime::{Base, Wrist};
 use nalgebra::RealField;
 
 use kin_runtime::prelude::*;
@@ -129,16 +129,6 @@ impl<const N: usize, A: Arm<N>, K> Arm<N> for Tried<A, K> {
     }
 }
 
-/// Of a sliding joint its range, or half the reach to either side; none of a turning one.
-fn ranges<const N: usize, A: Arm<N>>(arm: &A) -> Vec<Option<(f64, f64)>> {
-    let half = 0.5 * arm.reach();
-    let range = |joint: usize| match A::JOINTS[joint].kind {
-        JointKind::Prismatic => Some(arm.limits().range(joint).unwrap_or((-half, half))),
-        JointKind::Revolute => None,
-    };
-    (0..N).map(range).collect()
-}
-
 /// The worst residual that is promised of figures in a plane.
 const PLANAR: f64 = 16.0;
 
@@ -190,7 +180,7 @@ impl<A: SolveWrist<6> + InverseKinematics<6>> Subject<6> for Tried<A, ByPose> {
     fn sights(&self) -> Sights {
         let straight = straight(self.0.wrist_angles(&self.0.r36(0.25, 1.0, 0.5)));
         let straight = straight.map(|straight| (4, straight));
-        Sights::new(Figures::of(self.0.base()), [0, 1, 2], straight, ranges(&self.0), self.0.reach())
+        Sights::new(Figures::of(self.0.base()), [0, 1, 2], straight, &self.0)
     }
 
     fn commanded(&self, rows: [f64; 6]) -> [f64; 6] {
@@ -218,7 +208,7 @@ impl<A: SolveShoulder<6> + InverseKinematics<6>> Subject<6> for Tried<A, ByTool>
         let any = self.0.fk(&Joints::from(self.0.command([0.25, 1.0, 0.5, 0.0, 0.0, 0.0])));
         let straight = straight(self.0.shoulder_angles(&self.0.shoulder_rotation([0.0; 3], &any)));
         let straight = straight.map(|straight| (1, straight));
-        Sights::new(Figures::of(self.0.base()), [5, 4, 3], straight, ranges(&self.0), self.0.reach())
+        Sights::new(Figures::of(self.0.base()), [5, 4, 3], straight, &self.0)
     }
 
     fn commanded(&self, rows: [f64; 6]) -> [f64; 6] {
@@ -257,7 +247,7 @@ impl<const N: usize, A: SolveShort<N> + InverseKinematics<N>> Subject<N> for Tri
             Carrier::Three(base) => (Figures::of(base), [order(0), order(1), order(2)]),
             Carrier::Two(base) => pair(&base, [order(0), order(1)]),
         };
-        Sights::new(figures, base, None, ranges(&self.0), self.0.reach())
+        Sights::new(figures, base, None, &self.0)
     }
 
     fn commanded(&self, rows: [f64; 6]) -> [f64; N] {
@@ -282,7 +272,7 @@ impl<A: SolvePosition<3> + PositionInverse<3>> Subject<3> for Tried<A, ByPoint> 
     }
 
     fn sights(&self) -> Sights {
-        Sights::new(Figures::of(self.0.base()), [0, 1, 2], None, ranges(&self.0), self.0.reach())
+        Sights::new(Figures::of(self.0.base()), [0, 1, 2], None, &self.0)
     }
 
     fn commanded(&self, [t1, t2, t3, ..]: [f64; 6]) -> [f64; 3] {
@@ -308,7 +298,7 @@ impl<A: SolvePair<2> + PositionInverse<2>> Subject<2> for Tried<A, Two> {
 
     fn sights(&self) -> Sights {
         let (figures, base) = pair(&self.0.base(), [0, 1]);
-        Sights::new(figures, base, None, ranges(&self.0), self.0.reach())
+        Sights::new(figures, base, None, &self.0)
     }
 
     fn commanded(&self, [t1, t2, ..]: [f64; 6]) -> [f64; 2] {
