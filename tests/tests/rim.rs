@@ -79,13 +79,15 @@ fn at_the_rim([bend, elbow]: [usize; 2], random: &mut Sampler) -> [f64; 6] {
     q
 }
 
+/// The largest difference of two joint vectors, as angles.
+fn apart<T: Bits>(a: &Joints<T, 6>, b: &Joints<T, 6>) -> f64 {
+    let way = |i: usize| ((a[i].wide() - b[i].wide() + PI).rem_euclid(TAU) - PI).abs();
+    (0..6).map(way).fold(0.0, f64::max)
+}
+
 /// Poses come back: none empty, none twice, each solution on the pose, and the joints that made it among them.
 fn poses<T: Bits, A: InverseKinematics<6>>(arm: &A, at: [usize; 2], random: &mut Sampler) {
     let epsilon = T::EPS.wide();
-    let apart = |a: &Joints<T, 6>, b: &Joints<T, 6>| {
-        let way = |i: usize| ((a[i].wide() - b[i].wide() + PI).rem_euclid(TAU) - PI).abs();
-        (0..6).map(way).fold(0.0, f64::max)
-    };
     for _ in 0..POSES {
         let aimed = at_the_rim(at, random);
         let q = Joints::<T, 6>::from_fn(|i, _| T::rounded(aimed[i]));
@@ -200,9 +202,7 @@ fn joints_beyond_values_that_the_shoulder_does_not_take_come_back() {
     for bits in found {
         let q = Joints::<f64, 6>::from(bits.map(f64::from_bits));
         let solutions = Folding.ik(&Folding.fk(&q));
-        let nearest = solutions.nearest(&q).map_or(f64::INFINITY, |solution| {
-            (solution.q - q).map(|way| ((way + PI).rem_euclid(TAU) - PI).abs()).amax()
-        });
+        let nearest = solutions.nearest(&q).map_or(f64::INFINITY, |solution| apart(&solution.q, &q));
         assert!(nearest <= 1e2 * f64::EPSILON.sqrt(), "{nearest:e} at {q}\n{solutions}");
     }
 }
