@@ -37,14 +37,18 @@ impl Case {
 pub struct Worst(pub Vec<Case>);
 
 impl Worst {
+    /// Whether a case that is so bad would be kept.
+    pub fn takes(&self, badness: f64, index: u64) -> bool {
+        self.0
+            .get(KEPT - 1)
+            .is_none_or(|last| badness > last.badness() || (badness == last.badness() && index < last.index))
+    }
+
     /// Keeps a case if it belongs here; `bits` is asked for only then.
     pub fn add(&mut self, badness: f64, index: u64, arm: &str, bits: impl FnOnce() -> Vec<String>) {
         // A NaN is worse than any number.
         let badness = if badness.is_nan() { f64::INFINITY } else { badness };
-        let last = self.0.get(KEPT - 1);
-        if last
-            .is_none_or(|last| badness > last.badness() || (badness == last.badness() && index < last.index))
-        {
+        if self.takes(badness, index) {
             self.insert(Case { badness: badness.to_bits(), index, arm: arm.to_owned(), bits: bits() });
         }
     }

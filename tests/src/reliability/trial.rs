@@ -3,6 +3,8 @@
 use kin_runtime::prelude::*;
 use kin_runtime::{Joint, JointKind, singularity};
 
+use nalgebra::{ArrayStorage, Matrix6, Vector6};
+
 use super::aim::Sights;
 use super::subject::{Bits, Family, Subject};
 use super::tally::{Fault, Tally};
@@ -104,6 +106,17 @@ pub fn well_formed<T: Bits, const N: usize>(joints: &[Joint; N], q: &Joints<T, N
     })
 }
 
+/// A number that the smallest singular value does not exceed, and seldom falls much short of: by how much the Jacobian stretches the
+/// direction of one inverse iteration. Infinite if there is none, or other than six joints.
+fn least_above<const N: usize>(jacobian: &Jacobian<f64, N>) -> f64 {
+    let Ok(columns) = <[[f64; 6]; 6]>::try_from(jacobian.data.0.as_slice()) else { return f64::INFINITY };
+    let square = Matrix6::from_array_storage(ArrayStorage(columns));
+    let direction = square.transpose().lu().solve(&Vector6::repeat(1.0));
+    let direction = direction.and_then(|once| square.lu().solve(&once));
+    let stretch = direction.map(|along| (square * along).norm() / along.norm());
+    stretch.filter(|stretch| stretch.is_finite()).unwrap_or(f64::INFINITY)
+}
+
 impl<S> Try<'_, S> {
     /// There and back again, in the number format `T`.
     pub fn round_trip<T: Bits, const N: usize>(&self, random: &mut Sampler, tally: &mut Tally)
@@ -196,17 +209,23 @@ impl<T: Bits, const N: usize> Trip<'_, T, N> {
         let least =
             |all: &[(f64, Joints<T, N>)]| all.iter().fold(f64::INFINITY, |least, (off, _)| least.min(*off));
         let (mut all, epsilon) = (near(back), T::EPS.wide());
+        let allowed = |margin: f64| (CONDITIONED * epsilon / margin).min(CUSP * epsilon.sqrt());
         let mut off = least(&all);
         let own = wide(&there.q);
         let jacobian = way::jacobian(self.arm, &self.arm.at(&own).1);
-        // What is near enough for the largest singular value needs no smallest one: none is larger than the Frobenius norm.
+        // What is near enough for the largest singular value needs no smallest one: none is larger than the Frobenius norm. Nor does
+        // what is near enough for some that is not smaller than it, and nearer, in parts of what is allowed, than the worst so far.
         if off * jacobian.norm() <= CONDITIONED * epsilon {
+            return;
+        }
+        let strays = off / allowed(least_above(&jacobian));
+        if strays <= 1.0 && !tally.strayed.takes(strays, self.index) {
             return;
         }
         let values = singularity::singular_values(&jacobian);
         let values = values.iter().take(if self.arm.turns() { 6 } else { 3 });
         let margin = values.clone().fold(f64::INFINITY, |least, value| least.min(*value));
-        let allowed = (CONDITIONED * epsilon / margin).min(CUSP * epsilon.sqrt());
+        let allowed = allowed(margin);
         if off > allowed && back.iter().any(|(_, isolated)| !isolated) {
             all.extend(near(&self.arm.solved_holding(&there.target, &there.q)));
             off = least(&all);

@@ -84,7 +84,12 @@ pub fn between<const N: usize>(
     let joints = arm.joints();
     Joints::from_fn(|joint, _| {
         let way = to[joint] - from[joint];
-        if slides(&joints[joint]) { way / arm.length() } else { (way + PI).rem_euclid(TAU) - PI }
+        if slides(&joints[joint]) {
+            return way / arm.length();
+        }
+        let turned = way + PI;
+        // A remainder is dear, and nearly always the number itself.
+        (if (0.0..TAU).contains(&turned) { turned } else { turned.rem_euclid(TAU) }) - PI
     })
 }
 
