@@ -8,10 +8,11 @@ use indicatif::ProgressBar;
 use kin_runtime::prelude::*;
 use kin_runtime::private::SolveWrist;
 use kin_runtime::{Base, singularity};
+use tests::invented::Twisted;
 use tests::reliability::parts::parts;
 use tests::reliability::report;
 use tests::reliability::run::{Order, State, run};
-use tests::reliability::subject::{ByPose, Subject, Tried};
+use tests::reliability::subject::{ByPose, ByTool, Subject, Tried};
 use tests::reliability::tally::Tally;
 use tests::reliability::way;
 use tests::sample::Sampler;
@@ -135,6 +136,27 @@ fn the_tries_that_the_report_names_are_found_again() {
         count += 1;
     }
     assert!(count > 100, "{count}");
+}
+
+/// Found by this program: the hand's first joint all but free, and its way past the pole of the shoulder so near that joints 1 and 3
+/// swing by half a turn while it moves by hundredths of a degree. Between the ends of such a way halving finds nothing.
+#[test]
+fn a_way_that_swings_past_the_pole_of_a_sphere_is_traced() {
+    let bits = [
+        0x3fee_7a19_1762_63b0_u64,
+        0xbf50_624d_d2f1_a9fc,
+        0x3fb5_1da4_3356_5ea0,
+        0xc000_5d4d_0ef8_7ce1,
+        0x4003_80b3_a94d_b56c,
+        0x3fee_5dbd_2768_f320,
+    ];
+    let (arm, q) = (Tried(Twisted, ByTool), Joints::from(bits.map(f64::from_bits)));
+    let (target, window) = (Twisted.fk(&q), 64.0 * f64::EPSILON);
+    let solutions = Twisted.ik(&target);
+    assert!(solutions.iter().any(|s| way::leads(&arm, &target, &q, &[s.q], window)), "{solutions}");
+    // Off the curve there is nothing to follow.
+    let away = q + joints![0.0, 0.0, 0.0, 1e-3, 0.0, 0.0];
+    assert!(solutions.iter().all(|s| !way::leads(&arm, &target, &away, &[s.q], window)), "{solutions}");
 }
 
 /// Why joints are called blurred: these two vectors are 1e-4 apart, and what they reach is one pose to the last bits.

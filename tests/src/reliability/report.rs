@@ -162,14 +162,15 @@ every singular set:
   cube root. (`cargo test -p tests --test reliability` shows two joint vectors 1e-4 apart whose poses agree to the last bits.)
 - **What blurred means**, and what it must not hide: a try counts as blurred, and not as lost, only if a solution within 10³·ε/m
   came back, m the manipulability (the product of all singular values), and a way of joint values has been found that leads to
-  it from the joints that went in: a chain of points of which forward kinematics reaches the pose as exactly as a solution must (16 ε,
-  64 ε on a general base). Ways are looked for by halving: the middle of a piece is brought back onto the pose by least-squares
-  steps, until a piece is a sixteenth of the distance or shorter, and its middle off the straight line by a tenth of its length
-  at most. All its points are then solutions as good as any that may be given out, more than six joints can have isolated ones, so
-  that a solver which is given the pose alone has nothing to prefer one by. Another solution that happens to be as far from
-  the singular sets, the arm on its other side for instance, is not connected to the joints that went in, and does not count; where
-  no way is found the try counts as lost. (`cargo test -p tests --test reliability` also looks for ways between solutions
-  that their pose does determine, and must find none.)
+  it from the joints that went in: a chain of points of which forward kinematics reaches the pose as exactly as a solution must
+  (16 ε, 64 ε on a general base). Ways are looked for by halving: the middle of a piece is brought back onto the pose by
+  least-squares steps, until a piece is a sixteenth of the distance or shorter, and its middle off the straight line by a tenth
+  of its length at most; or else by following what the arm has lost, in steps that are brought back by a thousandth of their
+  length at most. All its points are then solutions as good as any that may be given out, more than six joints can have isolated
+  ones, so that a solver which is given the pose alone has nothing to prefer one by. Another solution that happens to be as far
+  from the singular sets, the arm on its other side for instance, is not connected to the joints that went in, and does not
+  count; where no way is found the try counts as lost. (`cargo test -p tests --test reliability` also looks for ways between
+  solutions that their pose does determine, and must find none.)
 - Two solutions closer than 6.7·√ε are given as one; a wrist that is within 32 ε of its singular set is given as a family.
 - Poses that are not the arm's own by more than round-off are judged by their distance from the boundary, which itself has a
   round-off of 8 ε of the reach: within that, a pose may be called reachable or not.

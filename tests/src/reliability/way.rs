@@ -3,7 +3,8 @@
 //! The way is found by halving. The middle of its ends is brought back onto the pose by damped least-squares steps, and each half is
 //! halved in its turn, until all pieces are short and their middles lie where they would if the piece were straight, but for a tenth of
 //! its length. Where that fails each end is first moved towards the other along the directions that the arm has lost there, as far as the
-//! pose allows.
+//! pose allows. Where a way turns too sharply for its middle to be near the middle of its ends, as beside the pole of a sphere, it is
+//! traced from one end, step by step, the shorter the more it bends.
 //! At each point of the way forward kinematics meets the pose within what a solution may miss, so that each is as good a solution as
 //! either end, and a solver that is given the rounded pose, and nothing else, has no means of preferring one. There are more points than
 //! any arm of six joints has isolated solutions. How they are found does not matter to that; a way that is not found is held against
@@ -27,6 +28,12 @@ const STEPS: usize = 60;
 
 /// … and those of a whole way.
 const TRIED: usize = 1500;
+
+/// The points of a traced way are brought back by at most this part of a step …
+const STRAIGHT: f64 = 1e-3;
+
+/// … in so many steps in all.
+const TRACED: usize = 20_000;
 
 /// A direction with a smaller singular value is lost.
 const LOST: f64 = 1e-5;
@@ -140,6 +147,7 @@ pub fn leads<const N: usize>(
     let search = |manner| Search { arm, target, window, manner };
     ends.iter().any(|to| search(Manner::Quick).straight(from, &between(arm, from, to)))
         || MANNERS.into_iter().any(|manner| ends.iter().any(|to| search(manner).halved(*from, *to)))
+        || ends.iter().any(|to| search(Manner::Quick).traced(from, to))
 }
 
 /// What ways are looked for.
@@ -192,17 +200,56 @@ impl<const N: usize> Search<'_, N> {
         true
     }
 
+    /// Whether a curve of joint values that reach the pose, along what the arm has lost, comes from one end to the other.
+    fn traced(&self, from: &Joints<f64, N>, to: &Joints<f64, N>) -> bool {
+        let by = between(self.arm, from, to);
+        self.comes_to(to, *from, by) || self.comes_to(to, *from, -by)
+    }
+
+    /// Whether the curve comes to the end that begins in a direction. Each step goes on in what is lost of the direction of the last, and
+    /// is brought back onto the pose, which may hardly change it.
+    fn comes_to(&self, end: &Joints<f64, N>, mut here: Joints<f64, N>, mut heading: Joints<f64, N>) -> bool {
+        let (arm, short, mut tried) = (self.arm, heading.amax() * SHORT, 0);
+        let mut length = short;
+        while tried < TRACED {
+            if between(arm, &here, end).amax() <= 2.0 * length && self.halved(here, *end) {
+                return true;
+            }
+            let lost = self.lost(&here);
+            let along: Joints<f64, N> = lost.iter().map(|way| way * way.dot(&heading)).sum();
+            if along.amax() <= LOST * heading.amax() {
+                return false;
+            }
+            let by = along * (length / along.amax());
+            let ahead = moved(arm, &here, &by);
+            let back = self.brought_back(ahead, &mut tried);
+            match back.filter(|back| between(arm, &ahead, back).amax() <= STRAIGHT * length) {
+                Some(back) => {
+                    heading = between(arm, &here, &back);
+                    (here, length) = (back, short.min(2.0 * length));
+                }
+                None => length *= 0.25,
+            }
+        }
+        false
+    }
+
     /// Nearer to other joint values, along each direction that the arm has lost.
     fn slid(&self, mut q: Joints<f64, N>, towards: &Joints<f64, N>) -> Joints<f64, N> {
-        let (_, sizes, v) = decomposed(&jacobian(self.arm, &self.arm.at(&q).1));
-        for (size, direction) in sizes.iter().zip(v.row_iter()) {
-            let direction = direction.transpose().fixed_rows::<N>(0).into_owned();
+        for direction in self.lost(&q) {
             let by = direction.scale(direction.dot(&between(self.arm, &q, towards)));
-            if *size <= LOST && self.straight(&q, &by) {
+            if self.straight(&q, &by) {
                 q = moved(self.arm, &q, &by);
             }
         }
         q
+    }
+
+    /// The directions that the arm has lost, at right angles to each other; of joints that are not there they have nothing.
+    fn lost(&self, q: &Joints<f64, N>) -> Vec<Joints<f64, N>> {
+        let (_, sizes, v) = decomposed(&jacobian(self.arm, &self.arm.at(q).1));
+        let rows = sizes.iter().zip(v.row_iter()).filter(|(size, _)| **size <= LOST);
+        rows.map(|(_, row)| row.transpose().fixed_rows::<N>(0).into_owned()).collect()
     }
 
     /// Joint values near those given that reach the pose, twice as well as they must if they can.
