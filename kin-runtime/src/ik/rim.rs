@@ -23,6 +23,10 @@ use crate::solutions::{ArmPosture, Bend, Branch};
 /// bent by as much if the direction is inside by that.
 const NEAR: f64 = 64.0;
 
+/// How much of what is missing may be round-off that the base has magnified, in units of ε times what the base makes of it. Much more
+/// than for a bend that may be nothing: what the joints settle on reaches the pose, and no family is claimed.
+const MAGNIFIED: f64 = 1024.0;
+
 /// The most that the best of the values tried for a free joint may be beyond the rim, if one between them is not.
 const BETWEEN: f64 = 0.25;
 
@@ -45,7 +49,7 @@ pub(super) fn reached<T: Float, V: View>(
             Plan::Try(..) | Plan::Again(_) | Plan::Empty(_) => false,
         };
         let doubtful = if task.at_will(placed) == [false; 2] {
-            may_be_round_off(by, placed, &task.view.base())
+            may_be_round_off(by, T::lit(MAGNIFIED), placed, &task.view.base())
         } else {
             by <= T::lit(BETWEEN)
         };

@@ -57,7 +57,7 @@ pub(super) struct Doubt<T> {
 impl<T: Float> Doubt<T> {
     /// Nothing, if the bend is more than round-off may be.
     pub(super) fn of(bend: T, family: WristFamily<T>, placed: &Placed<T>, base: &Base<T>) -> Option<Self> {
-        let doubtful = may_be_round_off(bend, placed, base);
+        let doubtful = may_be_round_off(bend, T::lit(MAGNIFIED), placed, base);
         doubtful.then_some(Doubt { placed: *placed, family, bend })
     }
 
@@ -74,14 +74,15 @@ impl<T: Float> Doubt<T> {
     }
 }
 
-/// Whether an angle that the sphere is bent by, or misses, may be round-off, of its own or of the base.
-pub(super) fn may_be_round_off<T: Float>(angle: T, placed: &Placed<T>, base: &Base<T>) -> bool {
+/// Whether an angle that the sphere is bent by, or misses, may be round-off, of its own or of the base: so many ε, times what the base
+/// makes of them.
+pub(super) fn may_be_round_off<T: Float>(angle: T, most: T, placed: &Placed<T>, base: &Base<T>) -> bool {
     if angle <= T::lit(DOUBTFUL) * T::EPS {
         return true;
     }
     let (times, seen, touching) = base.magnified(placed);
     // Roots are taken last: few angles come so far.
-    angle <= T::lit(MAGNIFIED) * T::EPS * times
+    angle <= most * T::EPS * times
         && (!touching
             || angle <= T::lit(TOUCHING) * math::sqrt(T::EPS)
             || angle <= T::lit(TWICE) * math::sqrt(T::EPS * seen))
