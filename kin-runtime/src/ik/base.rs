@@ -8,7 +8,7 @@
 //!
 //! The figures themselves are in `planar`, `elbow` and [`general`](crate::ik::general).
 
-use crate::ik::general::{Axis, GeneralBase, length};
+use crate::ik::general::GeneralBase;
 use crate::ik::planar::Planar;
 use crate::ik::wrist::figure_angle;
 use crate::math::{self, Float};
@@ -122,18 +122,23 @@ impl<T: Float> Base<T> {
         let (elbow, aside, distance) = match self {
             Base::Elbow(base) => (placed.elbow, base.a1, base.closing(placed)),
             Base::Telescope(base) => (placed.elbow / reach, base.a1, placed.elbow),
-            Base::General(_) => (placed.elbow, reach, zero),
+            Base::General(base) => {
+                let told = |distance| math::min(placed.elbow, distance / reach);
+                (base.second_distance(placed).map_or(placed.elbow, told), reach, zero)
+            }
         };
         let aside = math::abs(aside) + placed.shoulder;
         let through = if aside < distance { aside / distance } else { one };
         let (first, second) =
             (by(placed.shoulder / reach, placed.shoulder_free), by(elbow, placed.elbow_free));
         let seen = through * math::min(first, T::lit(16.0) / math::sqrt(T::EPS));
-        (one + first + second * (one + through * first), seen, placed.shoulder == zero || elbow == zero)
+        let touching = placed.shoulder == zero || placed.elbow == zero;
+        (one + first + second * (one + through * first), seen, touching)
     }
 
     /// How far the point, which is at `p`, is from the axes of joints 1 and 2, where that is no more than `near`: round-off over it is
-    /// what its place tells of their values. A slide has no such axis.
+    /// what its place tells of their values. Of a general base only the part counts that the other two joints do not make up for. A
+    /// slide has no such axis.
     pub(crate) fn beside_axes(&self, placed: &Placed<T>, p: [T; 3], near: T) -> [Option<T>; 2] {
         let [x, y, _] = p;
         // Most points are told by less than their distance.
@@ -146,9 +151,11 @@ impl<T: Float> Base<T> {
             }
             Base::Telescope(base) => [beside(x, y), beside(base.arm, placed.elbow)],
             Base::General(base) => {
-                let ([first, second, third], [_, _, o3], [_, _, t3]) = (&base.axes, base.offset, placed.rows);
-                let from = |axis: &Axis<T>, point| (!axis.slides).then(|| length(axis.arm(point)));
-                [from(first, p), from(second, third.moved(base.carried, t3 + o3))]
+                let near = |distance: Option<T>, joint| {
+                    let distance = distance.filter(|distance| !is_far(*distance))?;
+                    Some(distance * base.alone(placed, joint))
+                };
+                [near(base.first_distance(p), 0), near(base.second_distance(placed), 1)]
             }
         }
         .map(|distance| distance.filter(|distance| *distance <= near))

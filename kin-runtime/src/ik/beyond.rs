@@ -47,10 +47,13 @@ fn loose<T: Float, V: View>(
 ) -> [Option<T>; 2] {
     let size = task.target.scale;
     let [first, second] = base.beside_axes(placed, centre, math::sqrt(T::EPS) * size);
-    let of = |distance: Option<T>, is_free: bool| {
-        distance.filter(|_| !is_free).map(|distance| T::lit(SETTLED) * T::EPS * size / distance)
+    let of = |distance: Option<T>, is_free: bool, off: T| {
+        distance.filter(|_| !is_free).map(|distance| T::lit(SETTLED) * off / distance)
     };
-    [of(first, placed.shoulder_free), of(second, placed.elbow_free)]
+    // What joint 1 is off by, up to the root of round-off where shoulders touch, puts the point off as joint 2 sees it.
+    let (off, touching) = (T::EPS * size, math::sqrt(T::EPS) * size);
+    let carried = off + off * size / math::max(placed.shoulder, touching);
+    [of(first, placed.shoulder_free, off), of(second, placed.elbow_free, carried)]
 }
 
 /// The rims of the wrist, if there may be something beyond them: nearly all poses have no joint that is loose, and most wrists take any
@@ -130,7 +133,12 @@ fn nearest<T: Float, V: View>(
     for (joint, loose) in loose(task, base, placed, centre).into_iter().enumerate() {
         let Some(loose) = loose else { continue };
         let edges = edges(task, rims, placed, joint).into_iter().flatten();
-        for by in edges.filter(|by| math::abs(*by) <= loose) {
+        // Halfway between two shoulders that are all but one their place changes with the square of the turn only.
+        let is_within = |by: &T| {
+            let (sine, _) = math::sin_cos(*by * T::lit(0.5));
+            T::lit(2.0) * sine * sine <= loose
+        };
+        for by in edges.filter(is_within) {
             keep(&mut own, Edge { posture, joint, by, one: math::abs(by) <= T::lit(ONE) * loose });
         }
     }

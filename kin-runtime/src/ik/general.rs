@@ -242,6 +242,36 @@ impl<T: Float> GeneralBase<T> {
         [row(a, v1, o1), row(b, v2, o2), row(c, v3, o3)]
     }
 
+    /// The distance of a point from axis 1; none where joint 1 slides.
+    pub(super) fn first_distance(&self, p: [T; 3]) -> Option<T> {
+        let [first, ..] = &self.axes;
+        (!first.slides).then(|| length(first.arm(p)))
+    }
+
+    /// The distance of the carried point from axis 2; none where joint 2 slides.
+    pub(super) fn second_distance(&self, placed: &Placed<T>) -> Option<T> {
+        let ([_, second, third], [_, _, o3], [_, _, t3]) = (&self.axes, self.offset, placed.rows);
+        (!second.slides).then(|| length(second.arm(third.moved(self.carried, t3 + o3))))
+    }
+
+    /// The part of how joint 1, or 2, moves the point that the other two do not make up for, at most, as it turns: the sine of the angle
+    /// between its axis and the normal of the plane in which they move it; all of it, where they move it along one line.
+    pub(super) fn alone(&self, placed: &Placed<T>, joint: usize) -> T {
+        let ([first, second, third], [_, o2, o3], [_, t2, t3]) = (&self.axes, self.offset, placed.rows);
+        let (lifted, v2) = (third.moved(self.carried, t3 + o3), t2 + o2);
+        let last = second.turned(third.velocity(lifted), v2);
+        let point = second.moved(lifted, v2);
+        let (axis, other) = if joint == 0 { (first, second) } else { (second, first) };
+        let (other, axis) = (other.velocity(point), axis.direction);
+        let normal = cross(other, last);
+        let size = length(normal);
+        if size > math::sqrt(T::EPS) * length(other) * length(last) {
+            length(cross(axis, normal)) / size
+        } else {
+            T::lit(1.0)
+        }
+    }
+
     pub(super) fn sized(&self, p: [T; 3], size: T) -> Sized<T> {
         let scaled = |v: [T; 3]| v.map(|c| c / size);
         let axes = self.axes.map(|axis| Axis { point: scaled(axis.point), ..axis });
