@@ -211,16 +211,22 @@ impl<T: Float> GeneralBase<T> {
                 (false, _, Some(azimuth)) => azimuth - way.first,
                 (false, _, None) => way.first,
             };
-            let (side, held2) = (Side { posture, shared }, held2.map(|t2| math::wrap(t2) + o2));
+            let right = posture.shoulder == Shoulder::Right;
+            let (side, held2) = (Side { posture, shared, right }, held2.map(|t2| math::wrap(t2) + o2));
             let mut settled = sized.settled((&way, side), held2, o2, window);
-            // Two ways that have come to one root may have left out another.
+            // Two ways that have come to one root may have left out another: on the other side of axis 2, or beyond a double root.
             if let Ok((values, _)) = settled
                 && !way.free
                 && sized.are_in(values, &found)
-                && let Some([first, _, third]) = sized.other_root(values, posture)
             {
-                let other = sized.settled((&Way { first, third, ..way }, side), held2, o2, window);
-                if let Ok((values, _)) = other
+                let again = if sized.is_beside_second(values) {
+                    Some((way, Side { right: !right, ..side }))
+                } else {
+                    let other = sized.other_root(values, posture);
+                    other.map(|[first, _, third]| (Way { first, third, ..way }, side))
+                };
+                let other = again.map(|(way, side)| sized.settled((&way, side), held2, o2, window));
+                if let Some(other @ Ok((values, _))) = other
                     && !sized.are_in(values, &found)
                 {
                     settled = other;
@@ -282,6 +288,7 @@ impl<T: Float> GeneralBase<T> {
 }
 
 /// What became of a way, before its values are those of the rows.
+#[derive(Clone, Copy)]
 struct Settled<T> {
     shoulder: T,
     elbow: T,
@@ -306,10 +313,14 @@ impl<T: Float> Sized<T> {
     fn are_in(&self, values: [T; 3], found: &[Option<[T; 3]>; 4]) -> bool {
         let [a, b, c] = self.axes.each_ref().map(|axis| axis.slides);
         let near =
-            |slides: bool, gap: T| math::abs(if slides { gap } else { math::wrap(gap) }) <= tolerance();
+            |slides: bool, gap: T, most: T| math::abs(if slides { gap } else { math::wrap(gap) }) <= most;
+        // Beside axis 1 round-off turns joint 1 by more.
+        let turned =
+            if self.is_beside_first() { T::lit(ROUND_OFF) * T::EPS / self.radius } else { T::lit(0.0) };
+        let (most, first) = (tolerance(), math::max(tolerance(), turned));
         found.iter().flatten().any(|other| {
             let [x, y, z] = less(values, *other);
-            near(a, x) && near(b, y) && near(c, z)
+            near(a, x, first) && near(b, y, most) && near(c, z, most)
         })
     }
 
@@ -345,16 +356,23 @@ impl<T: Float> Sized<T> {
         !first.slides && self.radius > least && self.radius <= most
     }
 
+    /// Whether the carried point is so near axis 2 that two ways pass it together, one on either side.
+    fn is_beside_second(&self, [_, _, v3]: [T; 3]) -> bool {
+        let [_, second, third] = &self.axes;
+        !second.slides
+            && length(second.arm(third.moved(self.carried, v3))) <= T::lit(SLACK) * math::sqrt(T::EPS)
+    }
+
     /// Joint 2, then all three refined. The error is by how much the point is missed.
     fn settled(
         &self,
-        (way, side @ Side { posture, .. }): (&Way<T>, Side),
+        (way, side): (&Way<T>, Side),
         hold: Option<T>,
         convention: T,
         window: T,
     ) -> Result<([T; 3], Settled<T>), T> {
         let [first, second, third] = &self.axes;
-        let mut way = self.beside_second(way, posture.shoulder == Shoulder::Right);
+        let mut way = self.beside_second(way, side.right);
         let beside_first = way.free && self.is_beside_first();
         if beside_first {
             (way.first, way.free) = (T::lit(0.0), false);
@@ -366,7 +384,8 @@ impl<T: Float> Sized<T> {
         let value = if second.slides { dot(&second.direction, &less(to, from)) } else { turned() };
         if beside_first {
             // The conics know the square of a distance, to which joint 1 adds less than round-off; to the place it adds more.
-            let opposite = if posture.shoulder == Shoulder::Left { math::half_turn() } else { T::lit(0.0) };
+            let opposite =
+                if side.posture.shoulder == Shoulder::Left { math::half_turn() } else { T::lit(0.0) };
             way.first = self.facing([way.first, value, way.third]) + opposite;
         }
         let far = way.open

@@ -35,8 +35,8 @@ pub(super) struct Stance<T> {
 
 impl<T: Float> Sized<T> {
     /// A way whose point passes axis 2, brought nearer: the conics know the square of its distance, of which round-off leaves
-    /// nothing there, so that the direction in which joint 2 must point would be lost with it. Joint 3 makes the heights equal,
-    /// joint 1 the distances, by the root of a quadratic equation on its side of the nearest approach.
+    /// nothing there, so that the direction in which joint 2 must point would be lost with it. Joints 1 and 3 make the heights
+    /// equal, and the distances too, by the root of a quadratic equation on the way's side of the nearest approach.
     pub(super) fn beside_second(&self, way: &Way<T>, right: bool) -> Way<T> {
         let ([first, second, third], mut way) = (&self.axes, *way);
         let near = T::lit(SLACK) * math::sqrt(T::EPS);
@@ -57,15 +57,27 @@ impl<T: Float> Sized<T> {
                 break;
             }
             let (one, three) = (first.velocity(to).map(|c| -c), third.velocity(from));
+            // The steps of joints 1 and 3 that make the heights equal: the shortest of them, and on from it along a line.
+            let (gap1, gap3) = (dot(&second.direction, &one), -dot(&second.direction, &three));
+            let (square, height) = (gap1 * gap1 + gap3 * gap3, dot(&second.direction, &less(to, from)));
+            let scale = math::sqrt(square);
+            let level = [gap1, gap3].map(|gap| -height * gap / square);
+            let ahead =
+                [math::abs(gap3), if gap3 < T::lit(0.0) { gap1 } else { -gap1 }].map(|gap| gap / scale);
             // Only what is across axis 2 changes the distance.
-            let one = plus(one, second.direction, -dot(&second.direction, &one));
-            let (speed, slope) = (dot(&one, &one), dot(&one, &goal));
-            let half = math::sqrt_or_zero(slope * slope - speed * (dot(&goal, &goal) - dot(&arm, &arm)));
-            let by_first = (if right { -half } else { half } - slope) / speed;
-            let rise = dot(&second.direction, &three);
-            let height = dot(&second.direction, &less(to, from));
-            let by_third = if math::abs(rise) > near { height / rise } else { T::lit(0.0) };
-            let next = Way { first: way.first + by_first, third: way.third + by_third, ..way };
+            let across = |v: [T; 3]| plus(v, second.direction, -dot(&second.direction, &v));
+            let ([level1, level3], [ahead1, ahead3]) = (level, ahead);
+            let (one, three) = (across(one), across(three));
+            let (reached, carried) = (plus(goal, one, level1), plus(arm, three, level3));
+            let (one, three) = (one.map(|c| c * ahead1), three.map(|c| c * ahead3));
+            let square = dot(&one, &one) - dot(&three, &three);
+            let slope = dot(&reached, &one) - dot(&carried, &three);
+            let by = nearer(square, slope, dot(&reached, &reached) - dot(&carried, &carried), right);
+            let next = Way {
+                first: way.first + level1 + by * ahead1,
+                third: way.third + level3 + by * ahead3,
+                ..way
+            };
             let there = apart(&next);
             if there.2 < gap {
                 (way, ((from, to), (arm, goal), gap)) = (next, there);
@@ -107,8 +119,7 @@ impl<T: Float> Sized<T> {
             };
             let mut best = stepped(stance.step(T::lit(STEADIED) * T::EPS));
             if largest(best.1.missed) > miss * T::lit(0.25) {
-                let mut tried = |step: [T; 3]| {
-                    let other = stepped(step);
+                let mut tried = |other: ([T; 3], Stance<T>)| {
                     let left = largest(other.1.missed);
                     if left < largest(best.1.missed) {
                         best = other;
@@ -116,16 +127,23 @@ impl<T: Float> Sized<T> {
                     left
                 };
                 if let Some(step) = stance.undamped() {
-                    tried(step);
+                    tried(stepped(step));
                 }
                 if beside_first {
-                    tried([self.facing(values), T::lit(0.0), T::lit(0.0)]);
+                    tried(stepped([self.facing(values), T::lit(0.0), T::lit(0.0)]));
                 }
                 // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
                 if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
                     sought += 1;
+                    // As far along what is lost the other joints miss by its square, which they close: damped so that they stay where
+                    // they are along it, but not along what is merely weak.
+                    let damping = T::EPS / math::sqrt(math::sqrt(T::EPS));
+                    let closed = |step: [T; 3]| {
+                        let (_, there) = stepped(step);
+                        stepped(plus(step, there.step(damping), T::lit(1.0)))
+                    };
                     let missed = |step: [T; 3]| stepped(step).1.missed;
-                    stance.along_lost(side, missed, |step| tried(step) <= miss * T::lit(0.25));
+                    stance.along_lost(side, missed, |step| tried(closed(step)) <= miss * T::lit(0.25));
                 }
             }
             if largest(best.1.missed) < miss {
@@ -140,12 +158,26 @@ impl<T: Float> Sized<T> {
     /// The other of two roots that were one, or about where it is, from the one that was found; none if they still are one.
     pub(super) fn other_root(&self, values: [T; 3], posture: ArmPosture) -> Option<[T; 3]> {
         let stance = self.stance(values, false);
+        if self.is_beside_first() {
+            return Some(self.across_first(values, &stance));
+        }
         let lost = stance.lost(posture);
         let along = |by: T| plus(values, lost.along, by);
         let missed = |by: T| dot(&lost.blind, &self.stance(along(by), false).missed);
         let (middle, _) = parabola(dot(&lost.blind, &stance.missed), missed);
         let by = middle + middle;
         (math::abs(by) > tolerance() && math::abs(by) <= T::lit(FARTHEST)).then(|| along(by))
+    }
+
+    /// The point beside axis 1 is reached from two sides of the normal of the plane in which joints 2 and 3 move it: the values with joint 1
+    /// on the other.
+    fn across_first(&self, [v1, v2, v3]: [T; 3], stance: &Stance<T>) -> [T; 3] {
+        let ([first, ..], [_, two, three]) = (&self.axes, stance.velocities);
+        let (arm, normal) = (first.arm(first.moved(self.point, -v1)), cross(two, three));
+        let along = dot(&first.direction, &normal);
+        let normal = plus(normal, first.direction, -along);
+        let turn = math::atan2(dot(&first.direction, &cross(arm, normal)), dot(&arm, &normal));
+        [math::wrap(v1 - turn - turn), v2, v3]
     }
 
     pub(super) fn stance(&self, [v1, v2, v3]: [T; 3], free: bool) -> Stance<T> {
@@ -164,12 +196,23 @@ impl<T: Float> Sized<T> {
     }
 }
 
+/// The root of square·x² + 2·slope·x + rest on one side of the middle of both, or else the middle.
+fn nearer<T: Float>(square: T, slope: T, rest: T, first: bool) -> T {
+    let half = math::sqrt_or_zero(slope * slope - square * rest);
+    // Without cancellation: the one as a sum, the other from their product.
+    let sum = if slope < T::lit(0.0) { half - slope } else { -half - slope };
+    let (a, b) = (sum / square, if sum == T::lit(0.0) { T::lit(0.0) } else { rest / sum });
+    let far = !math::is_finite(a) || math::abs(a) > T::lit(FARTHEST);
+    if far || (a < b) != first { b } else { a }
+}
+
 /// Whose values are refined, and whether another way begins where this one does: of two roots each then takes the one on the side of
-/// its label, else the one on the side on which it begins.
+/// its label, else the one on the side on which it begins. Beside axis 2 it takes the one to the right, or to the left.
 #[derive(Clone, Copy)]
 pub(super) struct Side {
     pub(super) posture: ArmPosture,
     pub(super) shared: bool,
+    pub(super) right: bool,
 }
 
 /// The direction in which the joints do not move the point, and the one in which the point is not moved; both of length one.
