@@ -107,8 +107,14 @@ fn threads_and_interruptions_change_nothing() {
     text.parts.retain(|name, _| name.starts_with("elbow"));
     fs::write(&file, serde_json::to_string(&text).expect("a state")).expect("written");
     assert_eq!(whole, state(&kept));
-    // Another run's file is refused.
-    assert!(run(&Order { seed: 8, ..kept }, &ProgressBar::hidden()).is_err());
+    // A run that was done goes on to more.
+    let more = Order { poses: 1_100, patterns: 2_200, ..kept.clone() };
+    assert_eq!(state(&order(1_100, 2_200)), state(&more));
+    // Another run's file is refused, and one of more tries.
+    let refused = |order: &Order| run(order, &ProgressBar::hidden()).map(|_| ()).map_err(|error| error.to_string());
+    let other = Err("the file to resume has seed 7, 1100 poses and 2200 patterns".to_owned());
+    assert_eq!(refused(&Order { seed: 8, ..more }), other);
+    assert_eq!(refused(&kept), other);
 }
 
 /// Whatever else is built, and on whatever machine, a try is the same: those that RELIABILITY.md names are found again.

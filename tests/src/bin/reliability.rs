@@ -26,7 +26,8 @@ Round trips through every structural family, most of them aimed at singular sets
     --patterns N      random bit patterns, in all [ten times the poses]
     --seed N          where the random numbers start [1]
     --threads N       how many threads; the result does not depend on it [all]
-    --resume FILE     keep what is done in FILE, and go on from there if it exists
+    --resume FILE     keep what is done in FILE, and go on from there if it exists; a run that is
+                      done goes on to more poses or patterns
     --report FILE     where to write the report [RELIABILITY.md of the workspace]
     --no-report       write none
     --again PART:N    run one try alone (as RELIABILITY.md names it) and print what was counted

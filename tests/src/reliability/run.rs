@@ -57,24 +57,27 @@ pub struct State {
 }
 
 impl State {
-    /// A run that was interrupted, or one that has not begun.
+    /// A run that was interrupted, one of fewer tries, or one that has not begun: tries are the same whatever comes after them.
     ///
     /// # Errors
-    /// The file cannot be read, or belongs to another run.
+    /// The file cannot be read, or belongs to a run of another seed or of more tries.
     fn begin(order: &Order) -> io::Result<State> {
-        let parts = BTreeMap::new();
         let Order { seed, poses, patterns, .. } = *order;
-        let fresh = State { seed, poses, patterns, parts };
-        match order.resume.as_deref().map(fs::read_to_string) {
-            None => Ok(fresh),
-            Some(Err(error)) if error.kind() == io::ErrorKind::NotFound => Ok(fresh),
+        let parts = match order.resume.as_deref().map(fs::read_to_string) {
+            None => BTreeMap::new(),
+            Some(Err(error)) if error.kind() == io::ErrorKind::NotFound => BTreeMap::new(),
             Some(text) => {
                 let state: State = serde_json::from_str(&text?)?;
-                let same = State { parts: BTreeMap::new(), ..state.clone() } == fresh;
-                let other = || io::Error::other("the file to resume belongs to a run with other numbers");
-                if same { Ok(state) } else { Err(other()) }
+                if state.seed != seed || state.poses > poses || state.patterns > patterns {
+                    let State { seed, poses, patterns, .. } = state;
+                    let what =
+                        format!("the file to resume has seed {seed}, {poses} poses and {patterns} patterns");
+                    return Err(io::Error::other(what));
+                }
+                state.parts
             }
-        }
+        };
+        Ok(State { seed, poses, patterns, parts })
     }
 
     /// What there is to do.
