@@ -3,9 +3,9 @@
 
 use kin_runtime::prelude::*;
 use kin_runtime::singularity::{determinant, normalised, position_determinant};
+use tests::invented::Human;
 use tests::reliability::subject::{ByPoint, ByPose, ByTool, Subject, Tried};
-use tests::reliability::tally::{Fault, Tally};
-use tests::reliability::trial::Try;
+use tests::reliability::trial::complaints;
 use tests::sample::Sampler;
 
 dh! {
@@ -166,8 +166,8 @@ fn is_stuck<const N: usize, A: Arm<N>>(arm: &A, random: &mut Sampler) -> bool {
     })
 }
 
-/// Some tries of many such arms find nothing wrong. In doubles: of singles five in 10⁵ are lost still, where several figures are singular
-/// at once.
+/// Some tries of many such arms find nothing wrong; a tenth of them in singles, of which more find what is known to be lost still, where
+/// several figures are singular at once.
 fn tried<const N: usize, S: Subject<N>>(seed: u64, arm: impl Fn(&mut dyn FnMut() -> f64) -> S) {
     let (arms, tries) = if cfg!(debug_assertions) { (60, 20) } else { (600, 30) };
     let (mut random, mut stuck) = (Sampler::new(seed), 0);
@@ -177,15 +177,9 @@ fn tried<const N: usize, S: Subject<N>>(seed: u64, arm: impl Fn(&mut dyn FnMut()
             stuck += 1;
             continue;
         }
-        let (sights, family, mut tally) = (subject.sights(), subject.family(), Tally::default());
-        for index in 0..tries {
-            let one = Try { subject: &subject, sights: &sights, family, index };
-            one.round_trip::<f64, N>(&mut random, &mut tally);
-        }
-        let faults = Fault::ALL.iter().filter(|(fault, _)| tally.of(*fault).tries > 0);
-        let faults: Vec<String> =
-            faults.map(|(fault, what)| format!("{what}: {:?}", tally.of(*fault))).collect();
-        assert!(faults.is_empty(), "{} {number}: {faults:?}", S::NAME);
+        let doubles = complaints::<f64, N>(&subject, tries, &mut random);
+        let singles = complaints::<f32, N>(&subject, tries / 10, &mut Sampler::new(seed + number));
+        assert!(doubles.is_empty() && singles.is_empty(), "{} {number}: {doubles:?} {singles:?}", S::NAME);
     }
     assert!(2 * stuck < arms, "{stuck} of {arms}");
 }
@@ -207,6 +201,7 @@ open! {
     a_slide_outward_comes_back: Outward by ByPose of 6, 6, [a1 d2 a2 a3 d4];
     a_slide_between_comes_back: Between by ByPose of 6, 7, [a1 a2 d3 a3 d4];
     spherical_shoulders_come_back: Shouldered by ByTool of 6, 8, [d3 a3 d4 a4 d5 a5 a6];
+    human_arms_come_back: Human by ByTool of 6, 10, [upper fore stretch lean];
     three_joints_come_back: Three by ByPoint of 3, 9, [a1 d2 a2 d3 a3];
 }
 

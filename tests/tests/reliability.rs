@@ -111,7 +111,8 @@ fn threads_and_interruptions_change_nothing() {
     let more = Order { poses: 1_100, patterns: 2_200, ..kept.clone() };
     assert_eq!(state(&order(1_100, 2_200)), state(&more));
     // Another run's file is refused, and one of more tries.
-    let refused = |order: &Order| run(order, &ProgressBar::hidden()).map(|_| ()).map_err(|error| error.to_string());
+    let refused =
+        |order: &Order| run(order, &ProgressBar::hidden()).map(|_| ()).map_err(|error| error.to_string());
     let other = Err("the file to resume has seed 7, 1100 poses and 2200 patterns".to_owned());
     assert_eq!(refused(&Order { seed: 8, ..more }), other);
     assert_eq!(refused(&kept), other);

@@ -161,6 +161,15 @@ impl Tally {
         &mut self.faults[fault as usize]
     }
 
+    /// What went wrong, in words: nothing where nothing did.
+    pub fn complaints(&self) -> Vec<String> {
+        let faults = Fault::ALL.iter().map(|(fault, what)| (what, self.of(*fault)));
+        faults
+            .filter(|(_, count)| count.tries > 0)
+            .map(|(what, count)| format!("{what}: {count:?}"))
+            .collect()
+    }
+
     /// How many tries had this arm any fault in, one of two faults counting twice.
     pub fn faults_of(&self, arm: &str) -> u64 {
         self.faults.iter().filter_map(|count| count.arms.get(arm)).sum()

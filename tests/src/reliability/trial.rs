@@ -30,6 +30,19 @@ pub struct Try<'a, S> {
     pub index: u64,
 }
 
+/// So many tries of one arm, aimed at its own singular sets: what went wrong, in words.
+pub fn complaints<T: Bits, const N: usize>(
+    subject: &impl Subject<N>,
+    tries: u64,
+    random: &mut Sampler,
+) -> Vec<String> {
+    let (sights, family, mut tally) = (subject.sights(), subject.family(), Tally::default());
+    for index in 0..tries {
+        Try { subject, sights: &sights, family, index }.round_trip::<T, N>(random, &mut tally);
+    }
+    tally.complaints()
+}
+
 /// A solution: its joint values, and whether it is isolated.
 type Answer<T, const N: usize> = (Joints<T, N>, bool);
 
