@@ -38,22 +38,33 @@ struct Edge<T> {
     one: bool,
 }
 
-/// How loose joints 1 and 2 of a placement are: by what angle each may be off with nothing to show for it. Nothing where that is none.
+/// How loose a joint of a placement is.
+#[derive(Clone, Copy, PartialEq)]
+struct Loose<T> {
+    /// By what angle it may be off with nothing to show for it.
+    own: T,
+    /// By what angle, if the joint before it is off too.
+    carried: T,
+}
+
+/// How loose joints 1 and 2 of a placement are. Nothing where that is none.
 fn loose<T: Float, V: View>(
     task: &Task<'_, T, V>,
     base: &Base<T>,
     placed: &Placed<T>,
     centre: [T; 3],
-) -> [Option<T>; 2] {
+) -> [Option<Loose<T>>; 2] {
     let size = task.target.scale;
     let [first, second] = base.beside_axes(placed, centre, math::sqrt(T::EPS) * size);
-    let of = |distance: Option<T>, is_free: bool, off: T| {
-        distance.filter(|_| !is_free).map(|distance| T::lit(SETTLED) * off / distance)
+    let of = |distance: Option<T>, is_free: bool, times: T| {
+        let distance = distance.filter(|_| !is_free)?;
+        let own = T::lit(SETTLED) * T::EPS * size / distance;
+        Some(Loose { own, carried: own * times })
     };
     // What joint 1 is off by, up to the root of round-off where shoulders touch, puts the point off as joint 2 sees it.
-    let (off, touching) = (T::EPS * size, math::sqrt(T::EPS) * size);
-    let carried = off + off * size / math::max(placed.shoulder, touching);
-    [of(first, placed.shoulder_free, off), of(second, placed.elbow_free, carried)]
+    let (one, touching) = (T::lit(1.0), math::sqrt(T::EPS) * size);
+    let times = one + size / math::max(placed.shoulder, touching);
+    [of(first, placed.shoulder_free, one), of(second, placed.elbow_free, times)]
 }
 
 /// The rims of the wrist, if there may be something beyond them: nearly all poses have no joint that is loose, and most wrists take any
@@ -136,10 +147,10 @@ fn nearest<T: Float, V: View>(
         // Halfway between two shoulders that are all but one their place changes with the square of the turn only.
         let is_within = |by: &T| {
             let (sine, _) = math::sin_cos(*by * T::lit(0.5));
-            T::lit(2.0) * sine * sine <= loose
+            T::lit(2.0) * sine * sine <= loose.carried
         };
         for by in edges.filter(is_within) {
-            keep(&mut own, Edge { posture, joint, by, one: math::abs(by) <= T::lit(ONE) * loose });
+            keep(&mut own, Edge { posture, joint, by, one: math::abs(by) <= T::lit(ONE) * loose.own });
         }
     }
     own
