@@ -214,19 +214,14 @@ impl<T: Float> GeneralBase<T> {
             let right = posture.shoulder == Shoulder::Right;
             let (side, held2) = (Side { posture, shared, right }, held2.map(|t2| math::wrap(t2) + o2));
             let mut settled = sized.settled((&way, side), held2, o2, window);
-            // Two ways that have come to one root may have left out another: on the other side of axis 2, or beyond a double root.
+            // Two ways that have come to one root may have left out another.
             if let Ok((values, _)) = settled
                 && !way.free
                 && sized.are_in(values, &found)
+                && let Some((way, side)) = sized.anew((&way, side), values)
             {
-                let again = if sized.is_beside_second(values) {
-                    Some((way, Side { right: !right, ..side }))
-                } else {
-                    let other = sized.other_root(values, posture);
-                    other.map(|[first, _, third]| (Way { first, third, ..way }, side))
-                };
-                let other = again.map(|(way, side)| sized.settled((&way, side), held2, o2, window));
-                if let Some(other @ Ok((values, _))) = other
+                let other = sized.settled((&way, side), held2, o2, window);
+                if let Ok((values, _)) = other
                     && !sized.are_in(values, &found)
                 {
                     settled = other;
@@ -288,7 +283,6 @@ impl<T: Float> GeneralBase<T> {
 }
 
 /// What became of a way, before its values are those of the rows.
-#[derive(Clone, Copy)]
 struct Settled<T> {
     shoulder: T,
     elbow: T,
@@ -354,13 +348,6 @@ impl<T: Float> Sized<T> {
         let [first, ..] = &self.axes;
         let (least, most) = (T::lit(ACCEPTED * 0.25) * T::EPS, T::lit(SLACK) * math::sqrt(T::EPS));
         !first.slides && self.radius > least && self.radius <= most
-    }
-
-    /// Whether the carried point is so near axis 2 that two ways pass it together, one on either side.
-    fn is_beside_second(&self, [_, _, v3]: [T; 3]) -> bool {
-        let [_, second, third] = &self.axes;
-        !second.slides
-            && length(second.arm(third.moved(self.carried, v3))) <= T::lit(SLACK) * math::sqrt(T::EPS)
     }
 
     /// Joint 2, then all three refined. The error is by how much the point is missed.

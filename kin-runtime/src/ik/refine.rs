@@ -155,8 +155,24 @@ impl<T: Float> Sized<T> {
         (values, stance)
     }
 
+    /// Where a way begins anew that has come to values which are another's: on the other side of axis 2, if the point is so near it that two
+    /// ways pass it together, else beyond the root.
+    pub(super) fn anew(
+        &self,
+        (way, side): (&Way<T>, Side),
+        values @ [_, _, third_value]: [T; 3],
+    ) -> Option<(Way<T>, Side)> {
+        let [_, second, third] = &self.axes;
+        let near = T::lit(SLACK) * math::sqrt(T::EPS);
+        if !second.slides && length(second.arm(third.moved(self.carried, third_value))) <= near {
+            return Some((*way, Side { right: !side.right, ..side }));
+        }
+        let [first, _, third] = self.other_root(values, side.posture)?;
+        Some((Way { first, third, ..*way }, side))
+    }
+
     /// The other of two roots that were one, or about where it is, from the one that was found; none if they still are one.
-    pub(super) fn other_root(&self, values: [T; 3], posture: ArmPosture) -> Option<[T; 3]> {
+    fn other_root(&self, values: [T; 3], posture: ArmPosture) -> Option<[T; 3]> {
         let stance = self.stance(values, false);
         if self.is_beside_first() {
             return Some(self.across_first(values, &stance));
