@@ -155,10 +155,10 @@ every singular set:
 ## What is not
 
 - The figures are counts, not proofs: they hold for the poses that were tried, on the arms listed below.
-- **Other arms** may be lost more often. `cargo test --release -p tests --test open` aims in the same way at nine structures whose lengths
-  are drawn at random, a quarter of them zero. It finds nothing, but more tries do: in doubles one in 10⁵ is lost, in singles five,
-  nearly all of them where three figures are singular at once under a wrist or shoulder that is oblique; most under a slide that is
-  drawn in where axes 1, 2 and 3 pass through one line.
+- **Other arms** may be lost more often. `cargo test --release -p tests --test open` aims in the same way at ten structures whose lengths
+  are drawn at random, a quarter of them zero. It finds nothing, but more tries do: in doubles fewer than one in 10⁵ is lost or comes
+  back empty, in singles five, nearly all of them where three figures are singular at once under a wrist or shoulder that is oblique. Of
+  telescopes whose slide draws in to where axes 1 and 2 meet, under an oblique wrist, it is one in two hundred of poses aimed so.
 - **The bound min(10³·ε/σ, 10²·√ε) does not hold for every pose**: the column *blurred* counts where it is missed. No solver
   that is given a rounded pose can keep it there. At a distance δ from the wrist's singular set, θ4 and θ6 alone are determined
   to ε/δ, which is more than 10²·√ε where δ < 1e-10, and a family is declared only where every member reaches the pose, δ ≤ 32 ε;
