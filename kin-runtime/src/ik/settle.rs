@@ -7,15 +7,15 @@
 //! Each step is the damped least-squares solution of J·δ = error, K. Levenberg's with the square of the error for the
 //! damping (N. Yamashita and M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method", 2001: fast at
 //! singular solutions too), by conjugate gradients, which leave alone what J does not see. Where two sets meet, two of its
-//! directions are so short that conjugate gradients no longer tell them from rounding; the steps are then those of its singular
-//! values. Turns count in radians and slides in reaches, so that an arm makes the same steps in any unit of length.
+//! directions are so short that conjugate gradients no longer tell them from rounding; the steps are then made one joint after
+//! another. Turns count in radians and slides in reaches, so that an arm makes the same steps in any unit of length.
 
 use crate::arm::Arm;
 use crate::ik::refine::{FARTHEST, parabola};
 use crate::ik::target::{Target, accepted};
 use crate::ik::{ROUND_OFF, given_out};
 use crate::math::{self, Float};
-use crate::pose::{self, Jacobian, Joints, Pose};
+use crate::pose::{self, Joints, Pose};
 use crate::singularity::{directions, in_reaches, normalised, units};
 use crate::solutions::tolerance;
 
@@ -76,7 +76,7 @@ pub(crate) fn settle<T: Float, const N: usize, A: Arm<N>>(
             if vain > VAIN {
                 break;
             }
-            along_directions(&jacobian, error)
+            orthogonalised(&jacobian.data.0, error, size)
         };
         least = size;
         walk(&mut q, &step, &units);
@@ -171,19 +171,6 @@ pub(super) fn error<T: Float>(to: &Pose<T>, from: &Pose<T>, reach: T) -> [T; 6] 
     [(a - x) / reach, (b - y) / reach, (c - z) / reach, i, j, n]
 }
 
-/// The damped least-squares solution, by singular values.
-fn along_directions<T: Float, const N: usize>(jacobian: &Jacobian<T, N>, error: [T; 6]) -> [T; N] {
-    let damping = product(&error, &error);
-    let mut x = [T::lit(0.0); N];
-    for direction in directions(jacobian) {
-        let size = product(&direction.column, &direction.column) + damping;
-        if size > T::lit(0.0) {
-            add(&mut x, &direction.turn, product(&direction.column, &error) / size);
-        }
-    }
-    x
-}
-
 /// The damped least-squares solution for a matrix given by columns, by conjugate gradients.
 fn least_squares<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6], damping: T) -> [T; N] {
     let zero = T::lit(0.0);
@@ -216,6 +203,40 @@ fn least_squares<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6],
             *old = new + turn * *old;
         }
         steepness = now;
+    }
+    x
+}
+
+/// The same where two directions of the joints all but vanish: one joint after another, the one that still moves the tool most first,
+/// each with those before it turning so that none undoes what another has done. Their motions are made orthogonal by modified
+/// Gram-Schmidt, which is backward stable (Å. Björck, "Solving linear least squares problems by Gram-Schmidt orthogonalization",
+/// 1967).
+fn orthogonalised<T: Float, const N: usize>(columns: &[[T; 6]; N], error: [T; 6], damping: T) -> [T; N] {
+    let (mut x, mut rest) = ([T::lit(0.0); N], error);
+    let mut joints = columns.map(|column| (column, x));
+    for (joint, (_, turn)) in joints.iter_mut().enumerate() {
+        turn.iter_mut().skip(joint).take(1).for_each(|by| *by = T::lit(1.0));
+    }
+    let sized = |(moved, turn): &([T; 6], [T; N])| product(moved, moved) + damping * product(turn, turn);
+    let mut left = joints.as_mut_slice();
+    while let [most, others @ ..] = left {
+        for other in &mut *others {
+            if sized(other) > sized(most) {
+                core::mem::swap(most, other);
+            }
+        }
+        let (size, (moved, turn)) = (sized(most), most);
+        if size > T::lit(0.0) {
+            for (other_moved, other_turn) in &mut *others {
+                let share = (product(moved, other_moved) + damping * product(turn, other_turn)) / size;
+                add(other_moved, moved, -share);
+                add(other_turn, turn, -share);
+            }
+            let by = (product(moved, &rest) - damping * product(turn, &x)) / size;
+            add(&mut x, turn, by);
+            add(&mut rest, moved, -by);
+        }
+        left = others;
     }
     x
 }
