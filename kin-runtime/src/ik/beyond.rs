@@ -56,15 +56,16 @@ fn loose<T: Float, V: View>(
 ) -> [Option<Loose<T>>; 2] {
     let size = task.target.scale;
     let [first, second] = base.beside_axes(placed, centre, math::sqrt(T::EPS) * size);
-    let of = |distance: Option<T>, is_free: bool, times: T| {
-        let distance = distance.filter(|_| !is_free)?;
-        let own = T::lit(SETTLED) * T::EPS * size / distance;
-        Some(Loose { own, carried: own * times })
+    let own = |distance: Option<T>, is_free: bool| {
+        distance.filter(|_| !is_free).map(|distance| T::lit(SETTLED) * T::EPS * size / distance)
     };
-    // What joint 1 is off by, up to the root of round-off where shoulders touch, puts the point off as joint 2 sees it.
-    let (one, touching) = (T::lit(1.0), math::sqrt(T::EPS) * size);
-    let times = one + size / math::max(placed.shoulder, touching);
-    [of(first, placed.shoulder_free, one), of(second, placed.elbow_free, times)]
+    let first = own(first, placed.shoulder_free).map(|own| Loose { own, carried: own });
+    let second = own(second, placed.elbow_free).map(|own| {
+        // What joint 1 is off by, up to the root of round-off where shoulders touch, puts the point off as joint 2 sees it.
+        let apart = math::max(placed.shoulder, math::sqrt(T::EPS) * size);
+        Loose { own, carried: own * (T::lit(1.0) + size / apart) }
+    });
+    [first, second]
 }
 
 /// The rims of the wrist, if there may be something beyond them: nearly all poses have no joint that is loose, and most wrists take any

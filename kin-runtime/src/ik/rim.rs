@@ -37,6 +37,9 @@ pub(super) fn reached<T: Float, V: View>(
     placements: &Placements<T>,
     plans: &mut [[Plan<T, V::Branch>; 2]; 4],
 ) {
+    if !plans.iter().any(|both| matches!(both, [Plan::Rim(..), _])) {
+        return;
+    }
     let before = *plans;
     for (count, (posture, both)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
         let ([Plan::Rim(start, by, _), _], Ok(placed)) = (*both, posture.of(placements)) else { continue };
