@@ -1,9 +1,10 @@
 //! Arms whose every length is open, at values that nobody chose: some vanish, some are equal. Each is tried as the arms of
 //! RELIABILITY.md are, aimed at its own singular sets.
 
+use kin_runtime::math::{Float, abs, wrap};
 use kin_runtime::prelude::*;
 use kin_runtime::singularity::{determinant, normalised, position_determinant};
-use tests::invented::Human;
+use tests::invented::{Human, PrrA};
 use tests::reliability::subject::{ByPoint, ByPose, ByTool, Subject, Tried};
 use tests::reliability::trial::complaints;
 use tests::sample::Sampler;
@@ -172,14 +173,19 @@ fn tried<const N: usize, S: Subject<N>>(seed: u64, arm: impl Fn(&mut dyn FnMut()
     let (arms, tries) = if cfg!(debug_assertions) { (24, 10) } else { (600, 30) };
     let (mut random, mut stuck) = (Sampler::new(seed), 0);
     for number in 0..arms {
-        let subject = arm(&mut || length(&mut random));
+        let mut lengths = vec![];
+        let subject = arm(&mut || {
+            lengths.push(length(&mut random));
+            lengths[lengths.len() - 1]
+        });
         if is_stuck(&subject, &mut random) {
             stuck += 1;
             continue;
         }
         let doubles = complaints::<f64, N>(&subject, tries, &mut random);
         let singles = complaints::<f32, N>(&subject, tries / 10, &mut Sampler::new(seed + number));
-        assert!(doubles.is_empty() && singles.is_empty(), "{} {number}: {doubles:?} {singles:?}", S::NAME);
+        let clear = doubles.is_empty() && singles.is_empty();
+        assert!(clear, "{} {number} of {lengths:?}: {doubles:?} {singles:?}", S::NAME);
     }
     // A human arm without an upper arm or a forearm is stuck, nearly half of those drawn.
     assert!(4 * stuck < 3 * arms, "{stuck} of {arms}");
@@ -206,12 +212,16 @@ open! {
     three_joints_come_back: Three by ByPoint of 3, 9, [a1 d2 a2 d3 a3];
 }
 
-/// Whether joints come back as one isolated solution, within so much.
+/// Joints come back as one isolated solution, within so much.
 fn comes_back<A: InverseKinematics<6>>(arm: &A, bits: [u64; 6], within: f64) {
-    let q = Joints::from(bits.map(f64::from_bits));
+    base_comes_back(arm, Joints::from(bits.map(f64::from_bits)), 6, within);
+}
+
+/// The first joints of some come back; the wrist turns with round-off where its axes all but coincide.
+fn base_comes_back<T: Float, A: InverseKinematics<6>>(arm: &A, q: Joints<T, 6>, first: usize, within: T) {
     let solutions = arm.ik(&arm.fk(&q));
-    let off = |s: &Solution<f64, 6, _>| (s.q - q).map(kin_runtime::math::wrap).amax();
-    assert!(solutions.iter().any(|s| off(s) <= within), "{}\n{solutions}", A::NAME);
+    let is_near = |s: &Solution<T, 6, _>| (s.q - q).iter().take(first).all(|way| abs(wrap(*way)) <= within);
+    assert!(solutions.iter().any(is_near), "{}\n{solutions}", A::NAME);
 }
 
 /// The point all but on axis 2, and joint 3 sliding along: it changes the distance from axis 2 and the height on it at once.
@@ -227,6 +237,34 @@ fn a_slide_that_passes_axis_2_comes_back() {
         0x3ff7_2159_b7a2_3ef8,
     ];
     comes_back(&arm, bits, 1e-3);
+}
+
+/// Joint 2 is told by 1e-10 of the point, so that ways that come to one root differ in it by 1e-7: they are one, and the other is tried.
+#[test]
+fn ways_that_only_round_off_tells_apart_beside_axis_2_are_one() {
+    let arm = Outward { a1: -0.2820229066853264, d2: -0.3, a2: 0.0, a3: 0.0, d4: 0.0 };
+    let bits: [u64; 6] = [
+        0xbfd7_4dfb_dd41_c4a8,
+        0x3fe7_df0a_d4f4_3f68,
+        0xbdda_fe5f_0092_f463,
+        0xc002_ca31_d11a_7f65,
+        0x4009_21fb_5440_bd7c,
+        0xbffe_52c2_9c73_c3a8,
+    ];
+    base_comes_back(&arm, Joints::from(bits.map(f64::from_bits)), 3, 1e-5);
+}
+
+/// Both ways that pass axis 2 have the label "right" there: each is led to the root that it is nearer to.
+#[test]
+fn ways_of_one_label_that_pass_axis_2_keep_apart() {
+    let cases: [[u32; 6]; 3] = [
+        [0x3d33_1e81, 0xbe99_48d8, 0xc037_20fb, 0x4044_ae78, 0x4049_0fdb, 0xc017_02a7],
+        [0x3ec5_9a88, 0xbe97_17a7, 0xc036_ead7, 0x3daf_6714, 0x403a_8bba, 0xc043_908e],
+        [0x3f3c_ec44, 0x4018_a763, 0xc036_f5ee, 0xbf67_3eb6, 0x3fee_2a27, 0xc023_194c],
+    ];
+    for bits in cases {
+        base_comes_back(&PrrA, Joints::from(bits.map(f32::from_bits)), 3, 1e-3);
+    }
 }
 
 /// Near a cusp the roots of a general base are farther along what is lost than a straight step goes before the other joints miss.

@@ -80,7 +80,7 @@ pub(super) fn largest<T: Float>([a, b, c]: [T; 3]) -> T {
 }
 
 /// A unit vector at right angles to a unit vector, made with the coordinate axis that it is farthest from.
-fn across<T: Float>(z @ [x, y, w]: [T; 3]) -> [T; 3] {
+pub(super) fn across<T: Float>(z @ [x, y, w]: [T; 3]) -> [T; 3] {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
     let (x, y, w) = (math::abs(x), math::abs(y), math::abs(w));
     let farthest = if x <= y && x <= w {
@@ -211,20 +211,21 @@ impl<T: Float> GeneralBase<T> {
                 (false, _, Some(azimuth)) => azimuth - way.first,
                 (false, _, None) => way.first,
             };
-            let right = posture.shoulder == Shoulder::Right;
-            let (side, held2) = (Side { posture, shared, right }, held2.map(|t2| math::wrap(t2) + o2));
+            let (side, held2) = (Side { posture, shared, told: None }, held2.map(|t2| math::wrap(t2) + o2));
             let mut settled = sized.settled((&way, side), held2, o2, window);
             // Two ways that have come to one root may have left out another.
             if let Ok((values, _)) = settled
                 && !way.free
                 && sized.are_in(values, &found)
-                && let Some((way, side)) = sized.anew((&way, side), values)
             {
-                let other = sized.settled((&way, side), held2, o2, window);
-                if let Ok((values, _)) = other
-                    && !sized.are_in(values, &found)
-                {
-                    settled = other;
+                for (way, side) in sized.anew((&way, side), values).into_iter().flatten() {
+                    let other = sized.settled((&way, side), held2, o2, window);
+                    if let Ok((values, _)) = other
+                        && !sized.are_in(values, &found)
+                    {
+                        settled = other;
+                        break;
+                    }
                 }
             }
             *posture.of_mut(&mut found) = settled.as_ref().ok().map(|(values, _)| *values);
@@ -308,13 +309,15 @@ impl<T: Float> Sized<T> {
         let [a, b, c] = self.axes.each_ref().map(|axis| axis.slides);
         let near =
             |slides: bool, gap: T, most: T| math::abs(if slides { gap } else { math::wrap(gap) }) <= most;
-        // Beside axis 1 round-off turns joint 1 by more.
+        // Beside axis 1 round-off turns joint 1 by more, beside axis 2 joint 2.
         let turned =
-            if self.is_beside_first() { T::lit(ROUND_OFF) * T::EPS / self.radius } else { T::lit(0.0) };
-        let (most, first) = (tolerance(), math::max(tolerance(), turned));
+            |distance: T| math::max(tolerance(), T::lit(ROUND_OFF) * T::EPS / math::max(distance, T::EPS));
+        let [_, _, v3] = values;
+        let first = if self.is_beside_first() { turned(self.radius) } else { tolerance() };
+        let second = self.second_arm(v3).map_or(tolerance(), turned);
         found.iter().flatten().any(|other| {
             let [x, y, z] = less(values, *other);
-            near(a, x, first) && near(b, y, most) && near(c, z, most)
+            near(a, x, first) && near(b, y, second) && near(c, z, tolerance())
         })
     }
 
@@ -350,6 +353,12 @@ impl<T: Float> Sized<T> {
         !first.slides && self.radius > least && self.radius <= most
     }
 
+    /// How far from axis 2 the point is carried at a value of joint 3; none where joint 2 slides.
+    pub(super) fn second_arm(&self, value: T) -> Option<T> {
+        let [_, second, third] = &self.axes;
+        (!second.slides).then(|| length(second.arm(third.moved(self.carried, value))))
+    }
+
     /// Joint 2, then all three refined. The error is by how much the point is missed.
     fn settled(
         &self,
@@ -359,7 +368,7 @@ impl<T: Float> Sized<T> {
         window: T,
     ) -> Result<([T; 3], Settled<T>), T> {
         let [first, second, third] = &self.axes;
-        let mut way = self.beside_second(way, side.right);
+        let mut way = self.beside_second(way, side);
         let beside_first = way.free && self.is_beside_first();
         if beside_first {
             (way.first, way.free) = (T::lit(0.0), false);
@@ -381,7 +390,7 @@ impl<T: Float> Sized<T> {
             self.refined([way.first, value, way.third], (way.free, side), if far { 0 } else { STEPS });
         // Asked of what the refinement leaves: a point that passes axis 2 is nearest to it in a flat figure.
         let [first_value, _, third_value] = values;
-        let folded = !second.slides && length(second.arm(third.moved(self.carried, third_value))) <= window;
+        let folded = self.second_arm(third_value).is_some_and(|arm| arm <= window);
         if folded {
             values = [first_value, hold.unwrap_or(convention), third_value];
             stance = self.stance(values, way.free);

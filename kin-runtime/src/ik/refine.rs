@@ -3,7 +3,7 @@
 
 use crate::ik::ROUND_OFF;
 use crate::ik::conic::Way;
-use crate::ik::general::{SLACK, Sized, cross, largest, length, less, plus, solved};
+use crate::ik::general::{SLACK, Sized, across, cross, largest, length, less, plus, solved};
 use crate::math::{self, Float};
 use crate::pose::dot;
 use crate::solutions::{ArmPosture, Elbow, Shoulder, tolerance};
@@ -36,8 +36,9 @@ pub(super) struct Stance<T> {
 impl<T: Float> Sized<T> {
     /// A way whose point passes axis 2, brought nearer: the conics know the square of its distance, of which round-off leaves
     /// nothing there, so that the direction in which joint 2 must point would be lost with it. Joints 1 and 3 make the heights
-    /// equal, and the distances too, by the root of a quadratic equation on the way's side of the nearest approach.
-    pub(super) fn beside_second(&self, way: &Way<T>, right: bool) -> Way<T> {
+    /// equal, and the distances too, by a root of a quadratic equation: of the two, on either side of the nearest approach, the one that
+    /// is the way's, and from there on the nearer one.
+    pub(super) fn beside_second(&self, way: &Way<T>, side: Side) -> Way<T> {
         let ([first, second, third], mut way) = (&self.axes, *way);
         let near = T::lit(SLACK) * math::sqrt(T::EPS);
         let apart = |way: &Way<T>| {
@@ -47,7 +48,7 @@ impl<T: Float> Sized<T> {
             ((from, to), (arm, goal), math::max(math::abs(gap[0]), math::abs(gap[1])))
         };
         let ((mut from, mut to), (mut arm, mut goal), mut gap) = apart(&way);
-        for _ in 0..STEPS {
+        for count in 0..STEPS {
             if second.slides
                 || way.free
                 || length(arm) > near
@@ -72,7 +73,8 @@ impl<T: Float> Sized<T> {
             let (one, three) = (one.map(|c| c * ahead1), three.map(|c| c * ahead3));
             let square = dot(&one, &one) - dot(&three, &three);
             let slope = dot(&reached, &one) - dot(&carried, &three);
-            let by = nearer(square, slope, dot(&reached, &reached) - dot(&carried, &carried), right);
+            let rest = dot(&reached, &reached) - dot(&carried, &carried);
+            let by = side.root(square, slope, rest, count == 0);
             let next = Way {
                 first: way.first + level1 + by * ahead1,
                 third: way.third + level3 + by * ahead3,
@@ -135,15 +137,8 @@ impl<T: Float> Sized<T> {
                 // Between two roots, where the determinant is nothing, either is as far as the root of what is missed.
                 if sought < SOUGHT && miss > T::lit(ROUND_OFF) * T::EPS {
                     sought += 1;
-                    // As far along what is lost the other joints miss by its square, which they close: damped so that they stay where
-                    // they are along it, but not along what is merely weak.
-                    let damping = T::EPS / math::sqrt(math::sqrt(T::EPS));
-                    let closed = |step: [T; 3]| {
-                        let (_, there) = stepped(step);
-                        stepped(plus(step, there.step(damping), T::lit(1.0)))
-                    };
-                    let missed = |step: [T; 3]| stepped(step).1.missed;
-                    stance.along_lost(side, missed, |step| tried(closed(step)) <= miss * T::lit(0.25));
+                    let there = |step: [T; 3]| stepped(step).1;
+                    stance.along_lost(side, there, |step| tried(stepped(step)));
                 }
             }
             if largest(best.1.missed) < miss {
@@ -155,20 +150,19 @@ impl<T: Float> Sized<T> {
         (values, stance)
     }
 
-    /// Where a way begins anew that has come to values which are another's: on the other side of axis 2, if the point is so near it that two
-    /// ways pass it together, else beyond the root.
+    /// Where a way may begin anew that has come to values which are another's: for either side of axis 2, if the point is so near it that
+    /// two ways pass it together, and beyond the root.
     pub(super) fn anew(
         &self,
         (way, side): (&Way<T>, Side),
         values @ [_, _, third_value]: [T; 3],
-    ) -> Option<(Way<T>, Side)> {
-        let [_, second, third] = &self.axes;
+    ) -> [Option<(Way<T>, Side)>; 3] {
         let near = T::lit(SLACK) * math::sqrt(T::EPS);
-        if !second.slides && length(second.arm(third.moved(self.carried, third_value))) <= near {
-            return Some((*way, Side { right: !side.right, ..side }));
-        }
-        let [first, _, third] = self.other_root(values, side.posture)?;
-        Some((Way { first, third, ..*way }, side))
+        let beside = self.second_arm(third_value).is_some_and(|arm| arm <= near);
+        let towards = |told| beside.then_some((*way, Side { told: Some(told), ..side }));
+        let beyond = self.other_root(values, side.posture);
+        let beyond = beyond.map(|[first, _, third]| (Way { first, third, ..*way }, side));
+        [towards(Shoulder::Right), towards(Shoulder::Left), beyond]
     }
 
     /// The other of two roots that were one, or about where it is, from the one that was found; none if they still are one.
@@ -212,23 +206,28 @@ impl<T: Float> Sized<T> {
     }
 }
 
-/// The root of square·x² + 2·slope·x + rest on one side of the middle of both, or else the middle.
-fn nearer<T: Float>(square: T, slope: T, rest: T, first: bool) -> T {
-    let half = math::sqrt_or_zero(slope * slope - square * rest);
-    // Without cancellation: the one as a sum, the other from their product.
-    let sum = if slope < T::lit(0.0) { half - slope } else { -half - slope };
-    let (a, b) = (sum / square, if sum == T::lit(0.0) { T::lit(0.0) } else { rest / sum });
-    let far = !math::is_finite(a) || math::abs(a) > T::lit(FARTHEST);
-    if far || (a < b) != first { b } else { a }
-}
-
 /// Whose values are refined, and whether another way begins where this one does: of two roots each then takes the one on the side of
-/// its label, else the one on the side on which it begins. Beside axis 2 it takes the one to the right, or to the left.
+/// its label, else the one on the side on which it begins. Beside axis 2, where that is another's, the one on the right, or the left.
 #[derive(Clone, Copy)]
 pub(super) struct Side {
     pub(super) posture: ArmPosture,
     pub(super) shared: bool,
-    pub(super) right: bool,
+    pub(super) told: Option<Shoulder>,
+}
+
+impl Side {
+    /// A root of square·x² + 2·slope·x + rest, or the middle of both where there is none: the one that is told, or the nearer one, but at
+    /// first, between both, the one of the label.
+    fn root<T: Float>(&self, square: T, slope: T, rest: T, at_first: bool) -> T {
+        let half = math::sqrt_or_zero(slope * slope - square * rest);
+        // Without cancellation: the one as a sum, the other from their product.
+        let sum = if slope < T::lit(0.0) { half - slope } else { -half - slope };
+        let (far, near) = (sum / square, if sum == T::lit(0.0) { T::lit(0.0) } else { rest / sum });
+        let between = at_first && math::abs(slope) <= half * T::lit(MIDDLE);
+        let own = self.told.or(between.then_some(self.posture.shoulder));
+        let is_far = own.is_some_and(|own| (far < near) == (own == Shoulder::Right));
+        if is_far && math::is_finite(far) && math::abs(far) <= T::lit(FARTHEST) { far } else { near }
+    }
 }
 
 /// The direction in which the joints do not move the point, and the one in which the point is not moved; both of length one.
@@ -271,27 +270,47 @@ impl<T: Float> Stance<T> {
         [dot(&a, &solved), dot(&b, &solved), dot(&c, &solved)]
     }
 
-    /// Steps along what is lost, and across it to where the other joints close the gap: to the root of a parabola, and if that does not
-    /// take `enough` back, where three roots meet and there is none, each a quarter of the one before.
-    fn along_lost(
-        &self,
-        side: Side,
-        missed: impl Fn([T; 3]) -> [T; 3],
-        mut enough: impl FnMut([T; 3]) -> bool,
-    ) {
-        let (across, lost) = (self.step(math::sqrt(T::EPS)), self.lost(side.posture));
-        let along = |by: T| plus(across, lost.along, by);
-        let seen = |by: T| dot(&lost.blind, &missed(along(by)));
+    /// The step that closes the gap as far as the joints can without moving along a direction, by least squares.
+    fn closing(&self, along: [T; 3]) -> [T; 3] {
+        let [a, b, c] = self.velocities;
+        let one = across(along);
+        let other = cross(along, one);
+        let moved = |[x, y, z]: [T; 3]| plus(plus(a.map(|v| v * x), b, y), c, z);
+        let (p, q) = (moved(one), moved(other));
+        let damping = (dot(&p, &p) + dot(&q, &q)) * T::lit(STEADIED) * T::EPS;
+        let (pp, qq, pq) = (dot(&p, &p) + damping, dot(&q, &q) + damping, dot(&p, &q));
+        let determinant = pp * qq - pq * pq;
+        if determinant <= T::lit(0.0) {
+            return [T::lit(0.0); 3];
+        }
+        let (r, s) = (dot(&p, &self.missed), dot(&q, &self.missed));
+        let (x, y) = ((r * qq - s * pq) / determinant, (s * pp - r * pq) / determinant);
+        plus(one.map(|v| v * x), other, y)
+    }
+
+    /// Steps along what is lost, and across it to where the other joints close the gap, there as well as here, because as far along it
+    /// they miss by its square: to the root of a parabola, and if that does not take much back, where three roots meet and there is none,
+    /// each a quarter of the one before, to the one that leaves least.
+    fn along_lost(&self, side: Side, there: impl Fn([T; 3]) -> Stance<T>, mut left: impl FnMut([T; 3]) -> T) {
+        let lost = self.lost(side.posture);
+        let here = self.closing(lost.along);
+        let along = |by: T| plus(here, lost.along, by);
+        let seen = |by: T| dot(&lost.blind, &there(along(by)).missed);
         let (middle, half) = parabola(dot(&lost.blind, &self.missed), seen);
         let ahead = side.shared || middle < half * T::lit(MIDDLE);
         let by = middle + if ahead { half } else { -half };
-        if math::abs(by) <= T::lit(FARTHEST) && enough(along(by)) {
+        let closed = |by: T| plus(along(by), there(along(by)).closing(lost.along), T::lit(1.0));
+        let miss = largest(self.missed);
+        if math::abs(by) <= T::lit(FARTHEST) && left(closed(by)) <= miss * T::lit(0.25) {
             return;
         }
-        let mut by = T::lit(FARTHEST);
+        let (mut by, mut before) = (T::lit(FARTHEST), miss);
         for _ in 0..SHORTER {
-            enough(along(by));
-            by *= T::lit(0.25);
+            let left = left(closed(by));
+            if before < miss && left > before {
+                break;
+            }
+            (by, before) = (by * T::lit(0.25), left);
         }
     }
 
