@@ -254,6 +254,53 @@ fn ways_that_only_round_off_tells_apart_beside_axis_2_are_one() {
     base_comes_back(&arm, Joints::from(bits.map(f64::from_bits)), 3, 1e-5);
 }
 
+dh! {
+    /// Three joints, the tool beside the last axis or on it.
+    pub struct BesideSkew(standard, m, deg);
+
+    param tool = 0.0;
+
+    | joint | theta | d   | a    | alpha |
+    |-------|-------|-----|------|-------|
+    | J1    | q     | 0.2 | 0.1  | 90    |
+    | J2    | q     | 0   | 0.3  | 70    |
+    | J3    | q     | 0.2 | tool | 0     |
+}
+
+dh! {
+    /// The same, axes 2 and 3 parallel.
+    pub struct BesideElbow(standard, m, deg);
+
+    param tool = 0.0;
+
+    | joint | theta | d   | a    | alpha |
+    |-------|-------|-----|------|-------|
+    | J1    | q     | 0.2 | 0.1  | 90    |
+    | J2    | q     | 0   | 0.3  | 0     |
+    | J3    | q     | 0.2 | tool | 0     |
+}
+
+/// Joint values come back, of an arm with its tool so far from axis 3.
+fn all_come_back<A: InverseKinematics<3>>(arm: impl Fn(f64) -> A) {
+    let mut random = Sampler::new(12);
+    for tool in [0.0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 0.1] {
+        let arm = arm(tool);
+        for _ in 0..200 {
+            let q = Joints::<f64, 3>::from(random.angles::<3>());
+            let solutions = arm.ik(&arm.fk(&q));
+            let off = |s: &Solution<f64, 3, _>| (s.q - q).map(|way| abs(wrap(way))).amax();
+            assert!(solutions.iter().any(|s| off(s) <= 1e-9), "{} {tool:e}: {q}\n{solutions}", A::NAME);
+        }
+    }
+}
+
+/// The place of a tool that is all but on axis 3 says nothing of joint 3: the orientation tells it.
+#[test]
+fn joint_3_is_told_by_the_orientation_where_it_does_not_move_the_tool() {
+    all_come_back(|tool| BesideSkew { tool });
+    all_come_back(|tool| BesideElbow { tool });
+}
+
 /// Both ways that pass axis 2 have the label "right" there: each is led to the root that it is nearer to.
 #[test]
 fn ways_of_one_label_that_pass_axis_2_keep_apart() {

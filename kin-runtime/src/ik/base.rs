@@ -8,7 +8,7 @@
 //!
 //! The figures themselves are in `planar`, `elbow` and [`general`](crate::ik::general).
 
-use crate::ik::general::GeneralBase;
+use crate::ik::general::{GeneralBase, SLACK};
 use crate::ik::planar::Planar;
 use crate::ik::wrist::figure_angle;
 use crate::math::{self, Float};
@@ -159,6 +159,17 @@ impl<T: Float> Base<T> {
             }
         }
         .map(|distance| distance.filter(|distance| *distance <= near))
+    }
+
+    /// Whether the carried point is all but on axis 3, as lengths that are parameters may have it: its place says next to nothing of
+    /// joint 3 then.
+    pub(crate) fn leaves_third(&self) -> bool {
+        let near = T::lit(SLACK) * math::sqrt(T::EPS) * self.reach();
+        match self {
+            Base::Elbow(base) => base.fore <= near,
+            Base::Telescope(_) => false,
+            Base::General(base) => base.third_distance().is_some_and(|distance| distance <= near),
+        }
     }
 
     /// The arm's reach.

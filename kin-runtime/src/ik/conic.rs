@@ -208,6 +208,15 @@ pub fn meet<T: Float>(first: &Path<T>, third: &Path<T>, window: T, slack: T, zer
         let [up, down] = sides.values;
         return [way(up), way(down.or(up)), way(up), way(down.or(up))];
     }
+    if let Path::Circle { centre, radius, .. } = third
+        && *radius <= window
+    {
+        let sides = first.through(*centre, window, slack);
+        let way =
+            |first: Option<T>| first.map(|first| Way { first, third: zero, free: false, open: sides.open });
+        let [up, down] = sides.values;
+        return [way(up), way(up), way(down.or(up)), way(down.or(up))];
+    }
     if let Some(direction) = first.flat() {
         return chords(first, third, direction, [window, slack], false);
     }

@@ -42,6 +42,7 @@ impl<T: Float, A> Task<'_, T, A> {
     {
         let down = posture.elbow == Elbow::Down;
         match free {
+            [false, false] if self.carrier.leaves_third() => self.either(2, down, rows),
             [false, false] => (rows, Free::NOTHING),
             [false, true] => self.either(1, down, rows),
             [true, false] if A::CARRIERS == 3 => self.either(0, posture.shoulder == Shoulder::Left, rows),

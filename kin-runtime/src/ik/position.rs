@@ -43,6 +43,11 @@ impl<T: Float> Carrier<T> {
         }
     }
 
+    /// Whether there is a joint 3 that hardly moves the point.
+    pub(crate) fn leaves_third(&self) -> bool {
+        matches!(self, Carrier::Three(base) if base.leaves_third())
+    }
+
     /// Whether the point is so near the axes of joints 1 and 2 that its place says next to nothing of them: where two ways meet, the
     /// figures know it to the root of their round-off.
     pub(crate) fn beside(&self, placed: &Placed<T>, size: T) -> [bool; 2] {

@@ -134,7 +134,7 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
 /// What is asked of an arm.
 pub(super) struct Task<'a, T: Float, A> {
     arm: &'a A,
-    carrier: Carrier<T>,
+    pub(super) carrier: Carrier<T>,
     target: Target<T>,
     pub(super) turns: Turns<T>,
     /// Whether joint 1 keeps a value if it is free.
