@@ -280,25 +280,63 @@ dh! {
     | J3    | q     | 0.2 | tool | 0     |
 }
 
-/// Joint values come back, of an arm with its tool so far from axis 3.
-fn all_come_back<A: InverseKinematics<3>>(arm: impl Fn(f64) -> A) {
-    let mut random = Sampler::new(12);
-    for tool in [0.0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 0.1] {
-        let arm = arm(tool);
-        for _ in 0..200 {
-            let q = Joints::<f64, 3>::from(random.angles::<3>());
-            let solutions = arm.ik(&arm.fk(&q));
-            let off = |s: &Solution<f64, 3, _>| (s.q - q).map(|way| abs(wrap(way))).amax();
-            assert!(solutions.iter().any(|s| off(s) <= 1e-9), "{} {tool:e}: {q}\n{solutions}", A::NAME);
-        }
+dh! {
+    /// The same, and the tool passes axis 1.
+    pub struct BesideFirst(standard, m, deg);
+
+    param tool = 0.0;
+
+    | joint | theta | d   | a    | alpha |
+    |-------|-------|-----|------|-------|
+    | J1    | q     | 0.2 | 0.1  | 90    |
+    | J2    | q     | 0   | 0.3  | 90    |
+    | J3    | q     | 0.2 | tool | 0     |
+}
+
+dh! {
+    /// Axes 2 and 3 all but meet: two joints carry that point.
+    pub struct BesideSecond(standard, m, deg);
+
+    param link = 0.0;
+
+    | joint | theta | d   | a    | alpha |
+    |-------|-------|-----|------|-------|
+    | J1    | q     | 0.2 | 0.1  | 90    |
+    | J2    | q     | 0   | link | 70    |
+    | J3    | q     | 0.2 | 0    | 0     |
+}
+
+/// How far the lengths are that are nothing or all but nothing.
+const BESIDE: [f64; 8] = [0.0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 0.1];
+
+/// Joint values come back as an isolated solution.
+fn all_come_back<A: InverseKinematics<3>>(arm: &A, within: f64, mut draw: impl FnMut() -> [f64; 3]) {
+    for _ in 0..200 {
+        let q = Joints::<f64, 3>::from(draw());
+        let solutions = arm.ik(&arm.fk(&q));
+        let off = |s: &Solution<f64, 3, _>| (s.q - q).map(|way| abs(wrap(way))).amax();
+        let back = solutions.iter().any(|s| s.is_isolated() && off(s) <= within);
+        assert!(back, "{}: {q}\n{solutions}", A::NAME);
     }
 }
 
-/// The place of a tool that is all but on axis 3 says nothing of joint 3: the orientation tells it.
+/// The place of a point that is all but on the last axis that carries it says nothing of that joint: the orientation tells it, and joint 1
+/// too where the point is on its axis besides.
 #[test]
-fn joint_3_is_told_by_the_orientation_where_it_does_not_move_the_tool() {
-    all_come_back(|tool| BesideSkew { tool });
-    all_come_back(|tool| BesideElbow { tool });
+fn a_joint_that_does_not_move_the_point_is_told_by_the_orientation() {
+    let mut random = Sampler::new(12);
+    for by in BESIDE {
+        all_come_back(&BesideSkew { tool: by }, 1e-9, || random.angles());
+        all_come_back(&BesideElbow { tool: by }, 1e-9, || random.angles());
+        all_come_back(&BesideFirst { tool: by }, 1e-9, || random.angles());
+        all_come_back(&BesideSecond { link: by }, 1e-9, || random.angles());
+    }
+    // Where 0.1 + 0.3·cos θ2 + 0.2·sin θ2 vanishes the tool on axis 3 is on axis 1.
+    let onto = f64::atan2(0.2, 0.3) + (-0.1 / f64::hypot(0.2, 0.3)).acos();
+    all_come_back(&BesideFirst { tool: 0.0 }, 1e-6, || {
+        let [t1, _, t3] = random.angles();
+        [t1, onto, t3]
+    });
 }
 
 /// Both ways that pass axis 2 have the label "right" there: each is led to the root that it is nearer to.

@@ -8,7 +8,7 @@
 //!
 //! The figures themselves are in `planar`, `elbow` and [`general`](crate::ik::general).
 
-use crate::ik::general::{GeneralBase, SLACK};
+use crate::ik::general::GeneralBase;
 use crate::ik::planar::Planar;
 use crate::ik::wrist::figure_angle;
 use crate::math::{self, Float};
@@ -38,7 +38,7 @@ pub struct ElbowBase<T> {
     pub lateral: T,
     /// The distance between axes 2 and 3, positive.
     pub upper: T,
-    /// The distance of the wrist centre from axis 3, positive.
+    /// The distance of the wrist centre from axis 3, positive; nothing only where parameters put it on the axis.
     pub fore: T,
     /// The figure angles where the row values are 0.
     pub offset: [T; 3],
@@ -159,17 +159,6 @@ impl<T: Float> Base<T> {
             }
         }
         .map(|distance| distance.filter(|distance| *distance <= near))
-    }
-
-    /// Whether the carried point is all but on axis 3, as lengths that are parameters may have it: its place says next to nothing of
-    /// joint 3 then.
-    pub(crate) fn leaves_third(&self) -> bool {
-        let near = T::lit(SLACK) * math::sqrt(T::EPS) * self.reach();
-        match self {
-            Base::Elbow(base) => base.fore <= near,
-            Base::Telescope(_) => false,
-            Base::General(base) => base.third_distance().is_some_and(|distance| distance <= near),
-        }
     }
 
     /// The arm's reach.

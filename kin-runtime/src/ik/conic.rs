@@ -197,7 +197,8 @@ fn quadratic<T: Float>(a: T, b: T, c: T, slack: T) -> Sides<T> {
 }
 
 /// All ways in which the two paths meet. What is less than `window` is round-off; a flat figure that stays open by no more
-/// than `slack` is closed, to be judged by whoever refines it. `zero` is the third parameter from which ways are ordered.
+/// than `slack` is closed, to be judged by whoever refines it. `zero` is the third parameter from which ways are
+/// ordered, and the one where the third path is a point.
 pub fn meet<T: Float>(first: &Path<T>, third: &Path<T>, window: T, slack: T, zero: T) -> Ways<T> {
     if let Path::Circle { centre, radius, .. } = first
         && *radius <= window
@@ -212,8 +213,9 @@ pub fn meet<T: Float>(first: &Path<T>, third: &Path<T>, window: T, slack: T, zer
         && *radius <= window
     {
         let sides = first.through(*centre, window, slack);
-        let way =
-            |first: Option<T>| first.map(|first| Way { first, third: zero, free: false, open: sides.open });
+        let way = |first: Option<T>| {
+            first.map(|first| Way { first, third: zero, free: sides.free, open: sides.open })
+        };
         let [up, down] = sides.values;
         return [way(up), way(up), way(down.or(up)), way(down.or(up))];
     }

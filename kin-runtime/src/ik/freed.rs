@@ -2,9 +2,10 @@
 //!
 //! How well the axes of the turns fit the pose is A + B·cos t + C·sin t in the value of such a joint: it is asked for three values.
 //! Where the point lies on the axes of joints 1 and 2 both, joint 1 alone tells how axis 2 stands. Seen from the turns the mean over
-//! all turns about axis 2 of the rotation that is left is n·fᵀ: n is axis 2 as the arm has it, f as the pose asks for it.
+//! all turns about axis 2 of the rotation that is left is n·fᵀ: n is axis 2 as the arm has it, f as the pose asks for it. The same for
+//! the last joint that carries the point, where lengths that are parameters put the point on its axis.
 
-use crate::ik::general::length;
+use crate::ik::general::{SLACK, length};
 use crate::ik::short::{Task, Turns};
 use crate::ik::wave::Wave;
 use crate::math::{self, Float};
@@ -42,7 +43,6 @@ impl<T: Float, A> Task<'_, T, A> {
     {
         let down = posture.elbow == Elbow::Down;
         match free {
-            [false, false] if self.carrier.leaves_third() => self.either(2, down, rows),
             [false, false] => (rows, Free::NOTHING),
             [false, true] => self.either(1, down, rows),
             [true, false] if A::CARRIERS == 3 => self.either(0, posture.shoulder == Shoulder::Left, rows),
@@ -88,7 +88,7 @@ impl<T: Float, A> Task<'_, T, A> {
         let [t1, ..] = rows;
         let second = |t1: T| self.either::<N>(1, down, with(rows, 0, t1));
         let first = match self.turns {
-            Turns::None | Turns::One { .. } => self.second_axis(rows, left),
+            Turns::None | Turns::One { .. } => self.standing([0, 1], rows, left),
             Turns::Two { .. } if self.is_same_for_second(rows) => {
                 let fit = self.fit(0, rows);
                 (!fit.is_flat()).then(|| fit.zero(left))
@@ -117,15 +117,38 @@ impl<T: Float, A> Task<'_, T, A> {
         [t1, t1 + T::lit(1.0)].into_iter().all(|t1| self.fit(1, with(rows, 0, t1)).is_flat())
     }
 
-    /// The value of joint 1 at which axis 2 is where the pose asks for it, if it moves it at all: with one turn at the angle to
-    /// the last axis that it has in the arm, of which there are two.
-    fn second_axis<const N: usize>(&self, rows: [T; 3], far: bool) -> Option<T>
+    /// Row values with the last joint that carries the point as the orientation asks for it, and the first of those before it that are
+    /// free.
+    pub(super) fn ended<const N: usize>(
+        &self,
+        posture: ArmPosture,
+        mut rows: [T; 3],
+        free: [bool; 2],
+    ) -> [T; 3]
+    where
+        A: SolveShort<N>,
+    {
+        let last = A::CARRIERS.saturating_sub(1);
+        let (down, left) = (posture.elbow == Elbow::Down, posture.shoulder == Shoulder::Left);
+        if let Some(joint) = free.iter().position(|free| *free)
+            && !matches!(self.turns, Turns::Two { .. })
+            && let Some(value) = self.standing([joint, last], rows, left)
+        {
+            rows = with(rows, joint, value);
+        }
+        with(rows, last, self.fitting(&self.fit(last, rows), down))
+    }
+
+    /// The value of a joint at which the axis of one after it is where the pose asks for it, if it moves it at all: with one turn at the
+    /// angle to the last axis that it has in the arm, of which there are two.
+    fn standing<const N: usize>(&self, [joint, after]: [usize; 2], rows: [T; 3], far: bool) -> Option<T>
     where
         A: SolveShort<N>,
     {
         let [start, _, half] = asked();
-        let means = asked().map(|t1| {
-            let [mut mean, there] = [start, half].map(|t2| self.rest(with(with(rows, 0, t1), 1, t2)));
+        let means = asked().map(|value| {
+            let [mut mean, there] =
+                [start, half].map(|turn| self.rest(with(with(rows, joint, value), after, turn)));
             for (x, y) in mean.iter_mut().flatten().zip(there.iter().flatten()) {
                 *x = (*x + *y) * T::lit(0.5);
             }
@@ -158,7 +181,7 @@ impl<T: Float, A> Task<'_, T, A> {
         let now = here.get(index).copied().unwrap_or(T::lit(0.0));
         let (here, there) = (self.joints::<N>(here), self.joints::<N>(with(now + T::lit(0.5))));
         for (other, (a, b)) in pose::entries(&here).into_iter().zip(pose::entries(&there)).enumerate() {
-            if math::abs(math::wrap(a - b)) > T::lit(64.0) * math::sqrt(T::EPS) {
+            if math::abs(math::wrap(a - b)) > T::lit(SLACK) * math::sqrt(T::EPS) {
                 moving = moving.with(other);
             }
         }

@@ -256,12 +256,6 @@ impl<T: Float> GeneralBase<T> {
         (!second.slides).then(|| length(second.arm(third.moved(self.carried, t3 + o3))))
     }
 
-    /// The distance of the carried point from axis 3; none where joint 3 slides.
-    pub(super) fn third_distance(&self) -> Option<T> {
-        let [_, _, third] = &self.axes;
-        (!third.slides).then(|| length(third.arm(self.carried)))
-    }
-
     /// The part of how joint 1, or 2, moves the point that the other two do not make up for, at most, as it turns: the sine of the angle
     /// between its axis and the normal of the plane in which they move it; all of it, where they move it along one line.
     pub(super) fn alone(&self, placed: &Placed<T>, joint: usize) -> T {

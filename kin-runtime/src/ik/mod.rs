@@ -14,6 +14,8 @@
 //! * [`position`]: the base alone, for three-joint arms; [`pair`], for those of two.
 //! * [`short`]: poses of arms with two to five joints; `freed`, where the place of the point leaves joints free; `attempt`, what steps
 //!   make of what was read.
+//! * `settle`: joint values led onto a pose by small steps in all joints, where figures collapse.
+//! * `sphere`: what arms with a spherical wrist and with a spherical shoulder have in common; `lines`: a base in a plane as three axes.
 //! * `wave`: what a turning joint makes of a direction.
 //! * [`closest`]: the nearest that a base comes to what it does not reach.
 //! * [`target`]: what is asked of a pose before anything is solved, and of a solution before it is given out.

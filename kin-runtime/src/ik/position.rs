@@ -2,7 +2,7 @@
 
 use crate::arm::Arm;
 use crate::ik::base::{Placed, Placements};
-use crate::ik::general::{Axis, SLACK, length};
+use crate::ik::general::{Axis, GeneralBase, SLACK, length};
 use crate::ik::target::{accepted, distance, size};
 use crate::ik::{Base, PairBase, finite, given_out, sliding};
 use crate::math::{self, Float};
@@ -43,9 +43,19 @@ impl<T: Float> Carrier<T> {
         }
     }
 
-    /// Whether there is a joint 3 that hardly moves the point.
-    pub(crate) fn leaves_third(&self) -> bool {
-        matches!(self, Carrier::Three(base) if base.leaves_third())
+    /// Whether the point is all but on the last axis that carries it, as lengths that are parameters may have it: its place says next to
+    /// nothing of that joint then.
+    pub(crate) fn leaves_last(&self) -> bool {
+        let near = T::lit(SLACK) * math::sqrt(T::EPS) * self.reach();
+        let is_near = |axis: &Axis<T>, point| !axis.slides && length(axis.arm(point)) <= near;
+        match self {
+            Carrier::Three(Base::Elbow(base)) => base.fore <= near,
+            Carrier::Three(Base::Telescope(_)) => false,
+            Carrier::Three(Base::General(GeneralBase { axes: [_, _, last], carried, .. })) => {
+                is_near(last, *carried)
+            }
+            Carrier::Two(PairBase { axes: [_, last], carried, .. }) => is_near(last, *carried),
+        }
     }
 
     /// Whether the point is so near the axes of joints 1 and 2 that its place says next to nothing of them: where two ways meet, the

@@ -18,14 +18,14 @@ const STEADIED: f64 = 16.0;
 /// leave open. The best of them takes back a tenth at least, and leaves the extremum, so that Newton's steps go on.
 const SHORTER: usize = 12;
 
+/// How often steps along what is lost are tried in one refinement, at most: each time costs as much as twice `SHORTER` steps.
+const SOUGHT: usize = 3;
+
 /// The longest step along a direction that is lost, in radians or parts of the size.
 pub(super) const FARTHEST: f64 = 0.125;
 
 /// A way that begins no farther beyond the middle of two roots, in parts of half of what is between them, begins on neither side.
 const MIDDLE: f64 = 1.0 / 16.0;
-
-/// How often they are tried in one refinement, at most: each time costs as much as that many steps.
-const SOUGHT: usize = 3;
 
 /// The arm at some figure values, with the first joint taken back: what is missed, and how the joints move the point.
 pub(super) struct Stance<T> {
@@ -225,7 +225,7 @@ impl Side {
         let (far, near) = (sum / square, if sum == T::lit(0.0) { T::lit(0.0) } else { rest / sum });
         let between = at_first && math::abs(slope) <= half * T::lit(MIDDLE);
         let own = self.told.or(between.then_some(self.posture.shoulder));
-        let is_far = own.is_some_and(|own| (far < near) == (own == Shoulder::Right));
+        let is_far = half == T::lit(0.0) || own.is_some_and(|own| (far < near) == (own == Shoulder::Right));
         if is_far && math::is_finite(far) && math::abs(far) <= T::lit(FARTHEST) { far } else { near }
     }
 }
@@ -288,9 +288,9 @@ impl<T: Float> Stance<T> {
         plus(one.map(|v| v * x), other, y)
     }
 
-    /// Steps along what is lost, and across it to where the other joints close the gap, there as well as here, because as far along it
-    /// they miss by its square: to the root of a parabola, and if that does not take much back, where three roots meet and there is none,
-    /// each a quarter of the one before, to the one that leaves least.
+    /// Steps along what is lost, while the other joints close the gap: here, and again there, because a step along it misses by its
+    /// square. To the root of a parabola, and if that does not take much back, where three roots meet and there is none, by steps each a
+    /// quarter of the one before, until what is left grows again.
     fn along_lost(&self, side: Side, there: impl Fn([T; 3]) -> Stance<T>, mut left: impl FnMut([T; 3]) -> T) {
         let lost = self.lost(side.posture);
         let here = self.closing(lost.along);

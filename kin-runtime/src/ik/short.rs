@@ -134,7 +134,7 @@ fn solve_choosing<T: Float, const N: usize, A: SolveShort<N>, B: Carried>(
 /// What is asked of an arm.
 pub(super) struct Task<'a, T: Float, A> {
     arm: &'a A,
-    pub(super) carrier: Carrier<T>,
+    carrier: Carrier<T>,
     target: Target<T>,
     pub(super) turns: Turns<T>,
     /// Whether joint 1 keeps a value if it is free.
@@ -156,7 +156,10 @@ impl<T: Float, A> Task<'_, T, A> {
         let (posture, rows) = (branch.base(), placed.rows);
         let free = [placed.shoulder_free, placed.elbow_free];
         let (base, left) = self.oriented(posture, rows, free);
-        let own = self.attempt(base, left);
+        let mut own = self.attempt(base, left);
+        if !own.reaches() && self.carrier.leaves_last() {
+            own = self.attempt(self.ended(posture, rows, free), Free::NOTHING);
+        }
         let (best, rest) = match self.carrier.beside(placed, self.target.scale) {
             // Where both shoulders are one, each is known to the root of round-off: their solutions need not be one.
             [false, false] if own.reaches() && placed.shoulder == T::lit(0.0) => {

@@ -114,6 +114,11 @@ pub(crate) fn solve_placed<T: Float, V: View>(
         beyond::replaced(&task, (&base, rims), placements, &mut plans);
     }
     rim::reached(&task, placements, &mut plans);
+    // What small steps cannot bring nearer is no round-off of a figure in a plane: the arm does not reach the pose in this way.
+    let is_compromise = |residual: T, free: &Free<6>| {
+        let is_planar = !matches!(base, Base::General(_));
+        is_planar && *free == Free::NOTHING && residual > T::lit(SETTLED) * T::EPS
+    };
     let mut solutions = Solutions::none(sliding(&V::Arm::JOINTS), Reason::NotFinite);
     for (bend, flip) in [(Bend::NoFlip, false), (Bend::Flip, true)] {
         let plans = plans.each_ref().map(|[noflip, with]| if flip { with } else { noflip });
@@ -125,6 +130,9 @@ pub(crate) fn solve_placed<T: Float, V: View>(
                     let q = pose::column(q.each_ref().map(|value| value.lane(lane)));
                     let (q, residual) = task.polished(q, residuals.lane(lane));
                     match accepted(residual) {
+                        Ok(residual) if is_compromise(residual, free) => {
+                            Slot::Empty(Reason::Inaccurate { residual })
+                        }
                         Ok(residual) => {
                             Slot::Solved(Solution { branch, q, residual, margins: *margins, free: *free })
                         }

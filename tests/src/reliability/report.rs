@@ -143,7 +143,8 @@ every singular set:
   comes back that the pose cannot tell from them.
 - **Nothing is wrong**: forward kinematics of every solution returns to the pose within 16 ε of the reach (positions) and
   16 ε (rotation entries); where the joints that carry the point are a general base, within 64 ε. The solver itself refuses
-  whatever misses by more than 64 ε, of the reach or of the pose's largest coordinate if a slide without limits leads farther out.
+  whatever misses by more than 64 ε, of the reach or of the pose's largest coordinate if a slide without limits leads farther out;
+  where a spherical wrist or shoulder is on a planar base, isolated solutions that miss by more than 16 ε.
 - **Nothing comes twice**: two solutions differ by more than 6.7·√ε (1e-7 for doubles), and there are never more than the
   structure has: 4 ways of three joints that carry a point, 2 where two of them slide or where there are two, 1 where three
   slide; twice that with a spherical wrist or shoulder.
