@@ -75,6 +75,14 @@ pub(super) struct Sides<T> {
     free: bool,
 }
 
+impl<T: Float> Sides<T> {
+    /// The solutions, the one on either side if there is no other.
+    fn both(&self) -> [Option<T>; 2] {
+        let [up, down] = self.values;
+        [up, down.or(up)]
+    }
+}
+
 pub(super) fn cross<T: Float>([a, b]: [T; 2], [x, y]: [T; 2]) -> T {
     a * y - b * x
 }
@@ -105,6 +113,14 @@ impl<T: Float> Path<T> {
             Path::Line { start: [a, b], along: [u, v], square: [p, q] } => {
                 [a + parameter * (u + parameter * p), b + parameter * (v + parameter * q)]
             }
+        }
+    }
+
+    /// Where it is, if it is a point but for round-off.
+    fn point(&self, window: T) -> Option<[T; 2]> {
+        match *self {
+            Path::Circle { centre, radius, .. } if radius <= window => Some(centre),
+            _ => None,
         }
     }
 
@@ -200,24 +216,17 @@ fn quadratic<T: Float>(a: T, b: T, c: T, slack: T) -> Sides<T> {
 /// than `slack` is closed, to be judged by whoever refines it. `zero` is the third parameter from which ways are
 /// ordered, and the one where the third path is a point.
 pub fn meet<T: Float>(first: &Path<T>, third: &Path<T>, window: T, slack: T, zero: T) -> Ways<T> {
-    if let Path::Circle { centre, radius, .. } = first
-        && *radius <= window
-    {
-        let sides = third.through(*centre, window, slack);
-        let way =
-            |third: Option<T>| third.map(|third| Way { first: zero, third, free: true, open: sides.open });
-        let [up, down] = sides.values;
-        return [way(up), way(down.or(up)), way(up), way(down.or(up))];
+    if let Some(point) = first.point(window) {
+        let sides = third.through(point, window, slack);
+        let way = |third| Way { first: zero, third, free: true, open: sides.open };
+        let [up, down] = sides.both().map(|value| value.map(way));
+        return [up, down, up, down];
     }
-    if let Path::Circle { centre, radius, .. } = third
-        && *radius <= window
-    {
-        let sides = first.through(*centre, window, slack);
-        let way = |first: Option<T>| {
-            first.map(|first| Way { first, third: zero, free: sides.free, open: sides.open })
-        };
-        let [up, down] = sides.values;
-        return [way(up), way(up), way(down.or(up)), way(down.or(up))];
+    if let Some(point) = third.point(window) {
+        let sides = first.through(point, window, slack);
+        let way = |first| Way { first, third: zero, free: sides.free, open: sides.open };
+        let [right, left] = sides.both().map(|value| value.map(way));
+        return [right, right, left, left];
     }
     if let Some(direction) = first.flat() {
         return chords(first, third, direction, [window, slack], false);

@@ -101,6 +101,11 @@ impl<T: Float> Axis<T> {
         plus(offset, self.direction, -dot(&self.direction, &offset))
     }
 
+    /// How far from the axis a point is; none where the joint slides, which does not turn it.
+    pub(super) fn distance(&self, point: [T; 3]) -> Option<T> {
+        (!self.slides).then(|| length(self.arm(point)))
+    }
+
     /// A vector turned by the joint's value.
     pub(super) fn turned(&self, v: [T; 3], value: T) -> [T; 3] {
         if self.slides {
@@ -247,13 +252,13 @@ impl<T: Float> GeneralBase<T> {
     /// The distance of a point from axis 1; none where joint 1 slides.
     pub(super) fn first_distance(&self, p: [T; 3]) -> Option<T> {
         let [first, ..] = &self.axes;
-        (!first.slides).then(|| length(first.arm(p)))
+        first.distance(p)
     }
 
     /// The distance of the carried point from axis 2; none where joint 2 slides.
     pub(super) fn second_distance(&self, placed: &Placed<T>) -> Option<T> {
         let ([_, second, third], [_, _, o3], [_, _, t3]) = (&self.axes, self.offset, placed.rows);
-        (!second.slides).then(|| length(second.arm(third.moved(self.carried, t3 + o3))))
+        second.distance(third.moved(self.carried, t3 + o3))
     }
 
     /// The part of how joint 1, or 2, moves the point that the other two do not make up for, at most, as it turns: the sine of the angle
@@ -314,10 +319,10 @@ impl<T: Float> Sized<T> {
             |distance: T| math::max(tolerance(), T::lit(ROUND_OFF) * T::EPS / math::max(distance, T::EPS));
         let [_, _, v3] = values;
         let first = if self.is_beside_first() { turned(self.radius) } else { tolerance() };
-        let second = self.second_arm(v3).map_or(tolerance(), turned);
+        let second = || self.second_arm(v3).map_or(tolerance(), turned);
         found.iter().flatten().any(|other| {
             let [x, y, z] = less(values, *other);
-            near(a, x, first) && near(b, y, second) && near(c, z, tolerance())
+            near(a, x, first) && near(c, z, tolerance()) && near(b, y, second())
         })
     }
 
@@ -356,7 +361,7 @@ impl<T: Float> Sized<T> {
     /// How far from axis 2 the point is carried at a value of joint 3; none where joint 2 slides.
     pub(super) fn second_arm(&self, value: T) -> Option<T> {
         let [_, second, third] = &self.axes;
-        (!second.slides).then(|| length(second.arm(third.moved(self.carried, value))))
+        second.distance(third.moved(self.carried, value))
     }
 
     /// Joint 2, then all three refined. The error is by how much the point is missed.

@@ -2,7 +2,7 @@
 
 use crate::arm::Arm;
 use crate::ik::base::{Placed, Placements};
-use crate::ik::general::{Axis, GeneralBase, SLACK, length};
+use crate::ik::general::{Axis, GeneralBase, SLACK};
 use crate::ik::target::{accepted, distance, size};
 use crate::ik::{Base, PairBase, finite, given_out, sliding};
 use crate::math::{self, Float};
@@ -47,15 +47,13 @@ impl<T: Float> Carrier<T> {
     /// nothing of that joint then.
     pub(crate) fn leaves_last(&self) -> bool {
         let near = T::lit(SLACK) * math::sqrt(T::EPS) * self.reach();
-        let is_near = |axis: &Axis<T>, point| !axis.slides && length(axis.arm(point)) <= near;
-        match self {
-            Carrier::Three(Base::Elbow(base)) => base.fore <= near,
-            Carrier::Three(Base::Telescope(_)) => false,
-            Carrier::Three(Base::General(GeneralBase { axes: [_, _, last], carried, .. })) => {
-                is_near(last, *carried)
-            }
-            Carrier::Two(PairBase { axes: [_, last], carried, .. }) => is_near(last, *carried),
-        }
+        let distance = match self {
+            Carrier::Three(Base::Elbow(base)) => Some(base.fore),
+            Carrier::Three(Base::Telescope(_)) => None,
+            Carrier::Three(Base::General(GeneralBase { axes: [_, _, last], carried, .. }))
+            | Carrier::Two(PairBase { axes: [_, last], carried, .. }) => last.distance(*carried),
+        };
+        distance.is_some_and(|distance| distance <= near)
     }
 
     /// Whether the point is so near the axes of joints 1 and 2 that its place says next to nothing of them: where two ways meet, the
@@ -70,7 +68,7 @@ impl<T: Float> Carrier<T> {
         } else {
             near
         };
-        let is_near = |axis: &Axis<T>, point, near| !axis.slides && length(axis.arm(point)) <= near;
+        let is_near = |axis: &Axis<T>, point, near| axis.distance(point).is_some_and(|far| far <= near);
         let [_, t2, t3] = placed.rows;
         match self {
             Carrier::Three(base) => {
