@@ -156,8 +156,8 @@ pub trait InverseKinematics<const N: usize>: Arm<N> {
     /// All joint values that bring the tool to `pose` (in the base frame, declared unit of length): one slot for each
     /// branch, solved, merged with another, or empty with its reason. Angles are in (-π, π]; limits are not applied.
     ///
-    /// Coordinates that a singular pose leaves free take the values that seed 000 documents: the first joint 0,
-    /// the fourth and sixth joint an equal share of their sum or difference.
+    /// Coordinates that a singular pose leaves free take these values: joints 1 and 2 the value 0, joints 4 and 6 an equal share of
+    /// their sum or difference. Of an arm whose first three axes meet: joints 6 and 5 the value 0, joints 1 and 3 an equal share.
     fn ik<T: Float>(&self, pose: &Pose<T>) -> Solutions<T, N, Self::Branch>;
 
     /// As [`ik`](InverseKinematics::ik), but a coordinate that the pose leaves free keeps its value in `hold`.
@@ -190,7 +190,8 @@ pub trait InverseKinematics<const N: usize>: Arm<N> {
     /// near to `q` as the limits let it, the one with the smallest largest joint move, among equals the one with the
     /// smallest sum of moves; moves of a slide are divided by the arm's reach. A coordinate that a singular pose leaves
     /// free keeps its value in `q`, or takes the nearest value that the limits allow (to the resolution of
-    /// [`Family::ranges`](crate::Family::ranges)).
+    /// [`Family::ranges`](crate::Family::ranges)): a joint that need not move stands still, though the member with the smallest
+    /// largest move, [`Family::nearest`](crate::Family::nearest), may share the move with it.
     ///
     /// # Errors
     /// Why there are none: the least passed limit if it is for the limits, else the least missing distance, else what is

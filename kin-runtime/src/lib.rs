@@ -1,7 +1,8 @@
 //! Robot-arm kinematics that the compiler derives from the table on paper: no `std`, no allocation, no panic.
 //!
 //! Paste a Denavit-Hartenberg table into [`dh!`] and the type it declares has forward kinematics, the Jacobian and, where
-//! the last or the first three axes meet, and for arms of two to five joints, every inverse solution. This page is the tour; the grammar of the table is told at [`dh!`].
+//! the last or the first three axes meet, every inverse solution; so it has for two to five joints of which two or three carry a
+//! point that the others leave in its place. This page is the tour; the grammar of the table is told at [`dh!`].
 //!
 //! # An arm
 //!
@@ -52,7 +53,8 @@
 //! let closest = LabArm.closest(&far).expect("a pose like any other");
 //! assert!(LabArm.ik(&far).is_empty() && !LabArm.ik(&closest.pose).is_empty() && closest.by > 200.0);
 //!
-//! // Limits are not applied until asked for; a slot that they empty says which joint and by how much.
+//! // Limits are not applied until asked for; a slot that they empty says which joint and by how much. Of a family this judges
+//! // the member that the slot holds: `Family::member_within` finds one that is inside, `ik_near_within` asks for it.
 //! for (branch, slot) in solutions.within(&LabArm.limits()).branches() {
 //!     if let Slot::Empty(Reason::Limit { joint: 0, by }) = slot {
 //!         assert!(*by > 0.0, "{branch}");
@@ -116,8 +118,8 @@
 //!
 //! # What holds
 //!
-//! * Every solution was checked: forward kinematics returns to the pose within 64 ε, relative to the arm's reach; what
-//!   misses is a slot with [`Reason::Inaccurate`]. Two solutions of an answer differ by more than 1e-7 (`f32`: 7√ε).
+//! * Every solution was checked: forward kinematics returns to the pose within 64 ε, relative to the arm's reach, on planar bases
+//!   and of short arms within 16 ε; what misses is a slot with [`Reason::Inaccurate`]. Two solutions of an answer differ by more than 1e-7 (`f32`: 7√ε).
 //! * Windows for round-off are a few ε of the reach. A pose on the boundary is reached; one that misses it by more is
 //!   out of reach, by the distance that the reason tells.
 //! * No input panics, loops for long, or comes back as a NaN in a solution. The only trigonometric functions are those of
@@ -183,10 +185,10 @@ pub use watch::{Factor, Factored, Factors, Measure, Watch};
 /// What a program that declares and uses arms wants in scope.
 pub mod prelude {
     pub use crate::{
-        Arm, ArmPosture, Batch, Bend, Branch, ClosestPoint, ClosestPose, Elbow, Euler, EulerZyx, Family,
-        Float, Hand, InverseKinematics, Jacobian, Joints, Limits, Pose, PositionInverse, Posture, Real,
-        Reason, Shoulder, ShoulderPosture, Slot, Solution, Solutions, SphericalWrist, Step, Winding, dh,
-        joints,
+        Arm, ArmPosture, Batch, Bend, Boundary, Branch, Cause, ClosestPoint, ClosestPose, Constraint, Elbow,
+        Euler, EulerZyx, Family, Float, Hand, InverseKinematics, Jacobian, Joints, Limits, Margins, Pose,
+        PositionInverse, Posture, Real, Reason, Shoulder, ShoulderPosture, Singularity, Slot, Solution,
+        Solutions, SphericalWrist, Step, Winding, dh, joints,
     };
     // Once more without their names: an arm that is itself called `Arm` hides the name, not the methods.
     pub use crate::{

@@ -20,7 +20,7 @@ macro_rules! joints {
 }
 
 /// The orientation Rz(z)·Ry(y)·Rx(x), its angles by name (nalgebra's `euler_angles` returns roll, pitch and yaw, which
-/// are these in the opposite order). Also known as Z-Y-X angles about moving axes, as in section 3 of seed 000.
+/// are these in the opposite order). Also known as Z-Y-X angles about moving axes.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EulerZyx<T> {

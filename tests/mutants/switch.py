@@ -21,8 +21,8 @@ import hashlib, json, os, pathlib, re, resource, signal, subprocess, sys
 TESTS = {
     "kin-gen": ["kin-gen::algebra", "kin-gen::kin_gen", "polynomial", "fk", "jacobian", "params", "cost", "mathml"],
     "kin-runtime": ["kin-runtime::kin_runtime", "bits", "params", "rim", "straight", "units", "general", "short", "choice", "track",
-                    "census", "closest", "crossings", "ik", "batch", "folded", "reference", "families", "shoulders", "bases",
-                    "watch", "reliability"],
+                    "census", "closest", "crossings", "ik", "batch", "folded", "roots", "reference", "families", "shoulders",
+                    "bases", "watch", "open", "reliability"],
 }
 # Slower to build, and many times as fast.
 OPTIMISED = ["--config", "profile.dev.opt-level=1"]

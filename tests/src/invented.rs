@@ -22,6 +22,7 @@ macro_rules! each_invented {
             ParallelA       pose     "bases/axes_1_2_parallel_a";
             ParallelB       pose     "bases/axes_1_2_parallel_b";
             CrossingA       pose     "bases/axes_2_3_meet_a";
+            Swinging        pose     _;
             RrpA            pose     "bases/rrp_a";
             Sliding         pose     "bases/rpr_a";
             PrrA            pose     "bases/prr_a";
@@ -35,7 +36,9 @@ macro_rules! each_invented {
             Twisted         shoulder _;
             HandMeetingA    shoulder "shoulders/axes_5_6_meet_a";
             HandParallelA   shoulder "shoulders/axes_5_6_parallel_a";
+            HandCrossingA   shoulder "shoulders/axes_4_5_meet_a";
             HandRprA        shoulder "shoulders/rpr_a";
+            HandRrpA        shoulder "shoulders/rrp_a";
             PlanarRrOffset  pair     _;
             SkewRr          pair     _;
             PolarRp         pair     _;
@@ -147,6 +150,20 @@ dh! {
 }
 
 dh! {
+    /// Axes 2 and 3 meet at right angles, and the wrist centre can swing onto axis 2.
+    pub struct Swinging(standard, m, deg);
+
+    | joint | theta | d   | a   | alpha |
+    |-------|-------|-----|-----|-------|
+    | J1    | q     | 0.3 | 0.2 | 60    |
+    | J2    | q     | 0.4 | 0   | 90    |
+    | J3    | q     | 0   | 0.3 | -90   |
+    | J4    | q     | 0   | 0   | 90    |
+    | J5    | q     | 0   | 0   | -90   |
+    | J6    | q     | 0.1 | 0   | 0     |
+}
+
+dh! {
     /// A SCARA whose links are equal, so that its quill comes onto axis 1.
     pub struct ScaraFolding(standard, m, deg);
 
@@ -200,6 +217,8 @@ behind_a_shoulder! {
     TelescopeA { | q | 0.2 | 0.1 | 90 | | 30 | q | 0.1 | 90 | | q | 0.1 | 0.15 | 90 | | q | 0.2 | 0 | 0 | }
     HandMeetingA { | q | 0.35 | 0.1 | 90 | | q | 0.1 | 0.4 | 70 | | q | 0.2 | 0 | 90 | | q | 0.15 | 0.1 | 0 | }
     HandParallelA { | q | 0.3 | 0.1 | 90 | | q | 0.1 | 0.3 | 80 | | q | 0.1 | 0.4 | 0 | | q | 0.1 | 0.15 | 0 | }
+    HandCrossingA { | q | 0.4 | 0.1 | 90 | | q | 0.3 | 0 | 90 | | q | 0.1 | 0.3 | 80 | | q | 0.1 | 0.1 | 0 | }
+    HandRrpA { | q | 0.35 | 0.1 | 80 | | q | 0.1 | 0.4 | 90 | | q | 0.1 | 0.1 | 55 | | 20 | q | 0.1 | 0 | }
     HandRprA { | q | 0.3 | 0.1 | 90 | | q | 0.1 | 0.2 | 60 | | 35 | q | 0.2 | 80 | | q | 0.1 | 0.15 | 0 | }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use kin_runtime::math;
 use kin_runtime::prelude::*;
-use tests::invented::{ParallelA, ParallelB, PrrA, Skew, Square};
+use tests::invented::{ParallelA, ParallelB, PppA, PprA, PrpA, PrrA, RppB, Skew, Square, Swinging};
 use tests::sample::Sampler;
 
 fn slides<A: Arm<6>>(joint: usize) -> bool {
@@ -158,20 +158,6 @@ fn a_wrist_centre_on_axis_1_leaves_joint_1_free() {
     }
 }
 
-dh! {
-    /// Axes 2 and 3 meet at right angles, and the wrist centre can swing onto axis 2.
-    pub struct Swinging(standard, m, deg);
-
-    | joint | theta | d   | a   | alpha |
-    |-------|-------|-----|-----|-------|
-    | J1    | q     | 0.3 | 0.2 | 60    |
-    | J2    | q     | 0.4 | 0   | 90    |
-    | J3    | q     | 0   | 0.3 | -90   |
-    | J4    | q     | 0   | 0   | 90    |
-    | J5    | q     | 0   | 0   | -90   |
-    | J6    | q     | 0.1 | 0   | 0     |
-}
-
 #[test]
 fn a_wrist_centre_on_axis_2_leaves_joint_2_free() {
     for q3 in [PI / 2.0, -PI / 2.0] {
@@ -300,5 +286,108 @@ fn beside_axis_1_joint_1_is_told_by_the_place() {
         let solutions = ParallelB.ik(&ParallelB.fk(&q));
         let worst = solutions.iter().map(|solution| solution.residual).fold(0.0, f64::max) / f64::EPSILON;
         assert!(!solutions.is_empty() && worst <= 8.0, "{worst} ε at {q}\n{solutions}");
+    }
+}
+
+/// How many slots of an arm's own poses hold a way of the base, once and again with the other wrist, and that the others say that the
+/// structure has no more.
+fn has_ways<A: InverseKinematics<6>>(arm: &A, ways: usize) {
+    let mut random = Sampler::new(31);
+    for _ in 0..50 {
+        let q = random_joints::<A>(&mut random);
+        let solutions = arm.ik(&arm.fk(&q));
+        let lacking =
+            solutions.slots().iter().filter(|slot| matches!(slot, Slot::Empty(Reason::NoSuchBranch)));
+        assert_eq!(
+            (solutions.len(), lacking.count()),
+            (2 * ways, 8 - 2 * ways),
+            "{} {q}\n{solutions}",
+            A::NAME
+        );
+    }
+}
+
+#[test]
+fn a_branch_that_the_structure_lacks_says_so() {
+    has_ways(&PppA, 1);
+    has_ways(&RppB, 2);
+    has_ways(&PrpA, 2);
+    has_ways(&PprA, 2);
+    let solutions = PppA.ik(&PppA.fk(&joints![0.1, 0.2, 0.3, 0.4, 0.9, -0.3]));
+    assert!(solutions.to_string().contains("the arm has no such branch there"), "{solutions}");
+    // What no branch reaches is out of reach by a distance.
+    let mut random = Sampler::new(32);
+    for _ in 0..200 {
+        let mut pose = Skew.fk(&random_joints::<Skew>(&mut random));
+        pose.translation.vector *= random.between(1.0, 3.0);
+        let solutions = Skew.ik(&pose);
+        let lacks = |slot: &Slot<f64, 6, Posture>| matches!(slot, Slot::Empty(Reason::NoSuchBranch));
+        assert!(!solutions.slots().iter().all(lacks), "{solutions}");
+    }
+}
+
+/// The determinant is the product of three distances and two sines; where the wrist centre comes onto axis 2 it falls with the margin.
+#[test]
+fn the_elbow_s_margin_falls_towards_axis_2() {
+    let mut before = f64::INFINITY;
+    for k in 1..=12 {
+        let q = joints![0.3, 0.7, 0.5 * PI + 10_f64.powi(-k), 0.4, 0.9, -0.3];
+        let solutions = Swinging.ik(&Swinging.fk(&q));
+        let own = solutions.nearest(&q).expect("the pose is the arm's own");
+        // 0.3 m from axis 3, whose angle this is.
+        let distance = 0.3 * 10_f64.powi(-k).sin() / Swinging.reach();
+        assert!((own.margins.elbow - distance).abs() <= 1e-3 * distance + 1e-15, "{k}: {:?}", own.margins);
+        assert!(own.margins.elbow < 0.2 * before, "{k}: {:?}", own.margins);
+        before = own.margins.elbow;
+    }
+}
+
+dh! {
+    /// Axis 3 comes to lie on axis 1 where joint 2 is half a turn.
+    struct Coinciding(standard, m, deg);
+
+    | joint | theta | d   | a   | alpha |
+    |-------|-------|-----|-----|-------|
+    | J1    | q     | 0.3 | 0.3 | 90    |
+    | J2    | q     | 0   | 0.3 | 90    |
+    | J3    | q     | 0.1 | 0.4 | 90    |
+    | J4    | q     | 0.2 | 0   | -90   |
+    | J5    | q     | 0   | 0   | 90    |
+    | J6    | q     | 0.1 | 0   | 0     |
+}
+
+/// RELIABILITY.md names this among what is not: the family of joints 1 and 3 is none of the solver's, its members are solutions.
+#[test]
+fn where_axes_1_and_3_coincide_members_come_back() {
+    let mut random = Sampler::new(33);
+    for _ in 0..200 {
+        let [one, three, four, six] = random.angles::<4>();
+        let pose = Coinciding.fk(&joints![one, PI, three, four, 0.9, six]);
+        let solutions = Coinciding.ik(&pose);
+        let member = |s: &Solution<f64, 6, Posture>| math::wrap(s.q[1] - PI).abs() < 1e-6;
+        assert!(solutions.iter().any(member), "{solutions}");
+        assert!(solutions.iter().all(|s| s.residual <= 64.0 * f64::EPSILON), "{solutions}");
+    }
+}
+
+/// Where the heights say nothing of joint 3, which carries the point straight through axis 2: two ways begin as one there, and joint 2 is
+/// half a turn apart in the solutions that they lead to.
+#[test]
+fn what_is_carried_straight_through_axis_2_comes_back_on_either_side() {
+    let mut random = Sampler::new(40);
+    for k in 1..=13 {
+        for _ in 0..200 {
+            let [one, two, four, six] = random.angles::<4>();
+            let side = if random.below(2) == 0 { 1.0 } else { -1.0 };
+            let off = side * random.between(0.3, 1.0) * 10_f64.powi(-k);
+            let three = if random.below(2) == 0 { 0.5 * PI } else { -0.5 * PI };
+            let q = joints![one, two, three + off, four, 0.9, six];
+            let solutions = Swinging.ik(&Swinging.fk(&q));
+            let near = |s: &Solution<f64, 6, Posture>| {
+                let [one, two, three] = [0, 1, 2].map(|i| math::wrap(s.q[i] - q[i]).abs());
+                one < 1e-9 && three < 1e-9 && two < 1e3 * f64::EPSILON / off.abs()
+            };
+            assert!(solutions.iter().any(near), "{k} {q}\n{solutions}");
+        }
     }
 }

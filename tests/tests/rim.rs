@@ -246,3 +246,21 @@ fn what_is_rough_is_settled_where_no_single_step_comes_nearer() {
 fn what_cannot_be_settled_is_no_solution() {
     none_misses([0x3feb_235c, 0xbfc7_7fc9, 0xbfbd_f7c5, 0x4096_cb97, 0x40ba_c1d5, 0x4000_4259]);
 }
+
+/// Found by the program `reliability`, one of 4·10⁷: of two hands that are one each comes out 5e-5 beside it, beyond the rim by 1e-11, and
+/// from neither do steps lead to the pose.
+#[test]
+fn what_is_halfway_between_two_rims_is_tried_where_nothing_else_is_left() {
+    let bits = [
+        0xbfbc_45f0_0ca7_1080_u64,
+        0x3fbc_45f0_0d15_03ff,
+        0x4009_21f9_24bb_664c,
+        0x3ff9_21fb_5440_819f,
+        0xbfb9_a492_768e_c7d0,
+        0xbfdf_be00_c6ee_c2a8,
+    ];
+    let q = Joints::<f64, 6>::from(bits.map(f64::from_bits));
+    let solutions = Folding.ik(&Folding.fk(&q));
+    let back = solutions.iter().any(|s| s.residual <= 16.0 * f64::EPSILON && apart(&s.q, &q) < 1e-8);
+    assert!(back, "{solutions}");
+}

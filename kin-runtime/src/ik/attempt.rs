@@ -1,6 +1,6 @@
 //! What small steps have made of joint values that were read from figures: for arms of [two to five joints](super::short).
 
-use crate::ik::{SETTLED, given_out};
+use crate::ik::given_out;
 use crate::math::{self, Float};
 use crate::pose::{self, Joints};
 use crate::private::SolveShort;
@@ -12,6 +12,8 @@ use crate::solutions::Free;
 pub(super) struct Attempt<T, const N: usize> {
     pub(super) q: Joints<T, N>,
     pub(super) missed: T,
+    /// Whether that is what a solution may miss.
+    pub(super) reached: bool,
     pub(super) free: Free<N>,
     /// As they were read from the figures.
     pub(super) read: Joints<T, N>,
@@ -21,7 +23,7 @@ pub(super) struct Attempt<T, const N: usize> {
 
 impl<T: Float, const N: usize> Attempt<T, N> {
     pub(super) fn reaches(&self) -> bool {
-        self.missed <= T::lit(SETTLED) * T::EPS
+        self.reached
     }
 
     /// The way from the values that were read to these.

@@ -122,10 +122,7 @@ impl<T: Float> Base<T> {
         let (elbow, aside, distance) = match self {
             Base::Elbow(base) => (placed.elbow, base.a1, base.closing(placed)),
             Base::Telescope(base) => (placed.elbow / reach, base.a1, placed.elbow),
-            Base::General(base) => {
-                let told = |distance| math::min(placed.elbow, distance / reach);
-                (base.second_distance(placed).map_or(placed.elbow, told), reach, zero)
-            }
+            Base::General(_) => (placed.elbow, reach, zero),
         };
         let aside = math::abs(aside) + placed.shoulder;
         let through = if aside < distance { aside / distance } else { one };

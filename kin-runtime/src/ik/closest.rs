@@ -6,17 +6,22 @@
 //! back. Both are sampled, and from the nearest pairs of samples a damped Newton method goes on in all three joints, with the
 //! whole second derivative of the squared distance, because the distance is not small. The number of steps is bounded.
 //!
+//! An arm with a spherical shoulder is looked at from its tool: in the orientation asked for the shoulder's centre is as far from
+//! where the last three joints bring it as the tool point is from where it is asked for. Two joints are three of which the first
+//! has nothing to turn.
+//!
 //! What is given out are joint values and the pose that forward kinematics makes of them: it is reached by construction.
 
-use crate::arm::Arm;
-use crate::ik::general::{GeneralBase, Sized, cross, largest, less};
-use crate::ik::given_out;
+use crate::arm::{Arm, InverseKinematics};
+use crate::ik::general::{Axis, GeneralBase, Sized, cross, largest, length, less, plus};
+use crate::ik::sphere::View;
 use crate::ik::target::{self, Target};
 use crate::ik::wrist::Wrist;
+use crate::ik::{given_out, spherical_shoulder, spherical_wrist};
 use crate::math::{self, Float};
 use crate::pose::{self, Joints, Pose, dot};
-use crate::private::{SolvePosition, SolveWrist};
-use crate::solutions::Reason;
+use crate::private::{SolvePair, SolvePosition, SolveShoulder, SolveWrist};
+use crate::solutions::{Posture, Reason, ShoulderPosture};
 use nalgebra::Point3;
 
 /// Samples of each curve.
@@ -28,7 +33,8 @@ const STARTS: usize = 4;
 /// Steps of a search at most.
 const STEPS: usize = 64;
 
-/// How far, in sizes of the arm, a slide is looked at: no farther does one have to go for a point within the arm's size.
+/// How far, in sizes of the arm, a slide is looked at from where it passes axis 2: no farther does one have to go for a point within
+/// the arm's size.
 const TRAVEL: f64 = 4.0;
 
 /// The nearest pose that an arm reaches, and how it does.
@@ -40,14 +46,15 @@ pub struct Closest<T, const N: usize> {
     pub pose: Pose<T>,
     /// The distance of the tool point from the one that was asked for: round-off if that is reached.
     pub by: T,
-    /// The angle between the orientations, in radians: more than round-off only where an oblique wrist cannot follow.
+    /// The angle between the orientations, in radians: more than round-off only where an oblique wrist or shoulder cannot follow.
     pub turned: T,
 }
 
-/// An arm that knows the nearest pose to one that it cannot reach.
+/// An arm that knows the nearest pose to one that it cannot reach: six joints with an inverse.
 pub trait ClosestPose<const N: usize>: Arm<N> {
     /// Of the poses in the orientation asked for, the one that is reached and whose tool point is nearest. Where an oblique
-    /// wrist cannot turn the tool so, there, it is turned by the smallest angle that lets it follow, and by 64√ε more.
+    /// wrist, or shoulder, cannot turn the tool so, there, it is turned about the wrist's centre, or the shoulder's, by the smallest
+    /// angle that lets it follow, and by 64√ε more.
     ///
     /// The distance is the least there is, to round-off; a second minimum that is narrower than a 48th of a joint's range may
     /// be missed.
@@ -57,7 +64,7 @@ pub trait ClosestPose<const N: usize>: Arm<N> {
     fn closest<T: Float>(&self, pose: &Pose<T>) -> Result<Closest<T, N>, Reason<T>>;
 }
 
-/// An arm that knows the nearest position to one that its tool point cannot reach.
+/// An arm that knows the nearest position to one that its tool point cannot reach: two or three joints that are solved from one.
 pub trait ClosestPoint<const N: usize>: Arm<N> {
     /// As [`ClosestPose::closest`], from a position; `turned` is zero.
     ///
@@ -66,32 +73,73 @@ pub trait ClosestPoint<const N: usize>: Arm<N> {
     fn closest_point<T: Float>(&self, p: &Point3<T>) -> Result<Closest<T, N>, Reason<T>>;
 }
 
-impl<A: SolveWrist<6>> ClosestPose<6> for A {
+impl<A: InverseKinematics<6>> ClosestPose<6> for A
+where
+    A::Branch: Nearest<A>,
+{
     fn closest<T: Float>(&self, pose: &Pose<T>) -> Result<Closest<T, 6>, Reason<T>> {
-        let base = self.base::<T>();
-        let target = Target::new(pose, &base)?;
-        let rows = base.lines().closest(self.wrist_centre(&target.pose));
-        let [t1, t2, t3] = rows;
-        let [t4, t5, t6] = followed(self, &self.wrist_rotation(rows, &target.pose))?;
-        let q = given_out(self.command([t1, t2, t3, t4, t5, t6]), &A::JOINTS);
-        Ok(told(self, q, &target.pose))
+        A::Branch::nearest(self, pose)
     }
+}
+
+/// From which of its ends an arm of six joints is brought near, by the labels of its solutions.
+pub trait Nearest<A> {
+    /// As [`ClosestPose::closest`].
+    ///
+    /// # Errors
+    /// As there.
+    fn nearest<T: Float>(arm: &A, pose: &Pose<T>) -> Result<Closest<T, 6>, Reason<T>>;
+}
+
+impl<A: SolveWrist<6>> Nearest<A> for Posture {
+    fn nearest<T: Float>(arm: &A, pose: &Pose<T>) -> Result<Closest<T, 6>, Reason<T>> {
+        seen(&spherical_wrist::FromBase(arm), pose)
+    }
+}
+
+impl<A: SolveShoulder<6>> Nearest<A> for ShoulderPosture {
+    fn nearest<T: Float>(arm: &A, pose: &Pose<T>) -> Result<Closest<T, 6>, Reason<T>> {
+        seen(&spherical_shoulder::FromTool(arm), pose)
+    }
+}
+
+/// The nearest pose of an arm, seen from the end at which its base is.
+fn seen<T: Float, V: View>(view: &V, pose: &Pose<T>) -> Result<Closest<T, 6>, Reason<T>> {
+    let (arm, base) = (view.arm(), view.base::<T>());
+    let target = Target::new(pose, &base)?;
+    let rows = base.lines().closest(view.centre(&target.pose));
+    let sphere = followed(view, rows, &target.pose).map_err(V::reason)?;
+    let q = given_out(view.command(V::joined(rows, sphere)), &V::Arm::JOINTS);
+    Ok(told(arm, q, &target.pose))
 }
 
 impl<A: SolvePosition<3>> ClosestPoint<3> for A {
     fn closest_point<T: Float>(&self, p: &Point3<T>) -> Result<Closest<T, 3>, Reason<T>> {
         let base = self.base::<T>();
-        if !base.is_finite() {
-            return Err(Reason::NotAnArm);
-        }
-        let wanted = pose::entries(&p.coords);
-        target::size(&wanted, base.reach())?;
-        let rows = base.lines().closest(self.tool_point(p));
-        let q = given_out(self.command(rows), &A::JOINTS);
-        let reached = self.fk(&q);
-        let (rotation, _) = pose::rows(&reached);
-        Ok(told(self, q, &pose::from_rows(rotation, wanted)))
+        let wanted = point(p, base.is_finite(), base.reach())?;
+        Ok(put(self, self.command(base.lines().closest(self.tool_point(p))), wanted))
     }
+}
+
+impl<A: SolvePair<2>> ClosestPoint<2> for A {
+    fn closest_point<T: Float>(&self, p: &Point3<T>) -> Result<Closest<T, 2>, Reason<T>> {
+        let base = self.base::<T>();
+        let wanted = point(p, base.is_finite(), base.reach)?;
+        Ok(put(self, self.command(base.closest(self.tool_point(p))), wanted))
+    }
+}
+
+/// The coordinates of a point that can be asked for.
+fn point<T: Float>(p: &Point3<T>, finite: bool, reach: T) -> Result<[T; 3], Reason<T>> {
+    let wanted = pose::entries(&p.coords);
+    if finite { target::size(&wanted, reach).map(|_| wanted) } else { Err(Reason::NotAnArm) }
+}
+
+/// Where commanded values put the tool, in whatever orientation.
+fn put<T: Float, const N: usize, A: Arm<N>>(arm: &A, values: [T; N], wanted: [T; 3]) -> Closest<T, N> {
+    let q = given_out(values, &A::JOINTS);
+    let (rotation, _) = pose::rows(&arm.fk(&q));
+    told(arm, q, &pose::from_rows(rotation, wanted))
 }
 
 /// The pose of joint values and how far it is from another.
@@ -109,38 +157,40 @@ fn told<T: Float, const N: usize, A: Arm<N>>(arm: &A, q: Joints<T, N>, wanted: &
     Closest { q, pose, by, turned: T::lit(2.0) * math::atan2(sine, cosine) }
 }
 
-/// Row values of the wrist for a rotation, or for the nearest one that it can follow: axis 6 turned towards axis 4 or away.
-fn followed<T: Float, A: SolveWrist<6>>(arm: &A, wanted: &nalgebra::Matrix3<T>) -> Result<[T; 3], Reason<T>> {
-    let any = |wrist| match wrist {
+/// Row values of the wrist for a pose, or for the nearest orientation that it can follow: axis 6 turned towards axis 4 or away. Of a
+/// shoulder, axis 3 towards axis 1 or away.
+fn followed<T: Float, V: View>(view: &V, rows: [T; 3], wanted: &Pose<T>) -> Result<[T; 3], Reason<T>> {
+    let any = |pose: &Pose<T>| match view.angles(&view.rotation(rows, pose)) {
         Wrist::Two { noflip, .. } => Ok(noflip),
         Wrist::Family(family) => Ok(family.even()),
-        Wrist::OutOfReach { by, .. } => Err(by),
+        Wrist::OutOfReach { by, rim } => Err((by, rim)),
     };
-    let missing = match any(arm.wrist_angles(wanted)) {
+    let (missing, [a, b, c]) = match any(wanted) {
         Ok(angles) => return Ok(angles),
-        Err(by) => by,
+        Err(beyond) => beyond,
     };
-    let rows = pose::matrix_rows(wanted);
-    let [[_, _, x], [_, _, y], _] = rows;
-    let length = math::hypot(x, y);
-    // Square to axes 4 and 6, or to axis 4 alone where the two are one.
-    let (s, c) = if length > T::EPS { (x / length, -y / length) } else { (T::lit(0.0), T::lit(1.0)) };
+    let turned = |sphere| {
+        let q = given_out(view.command(V::joined(rows, sphere)), &V::Arm::JOINTS);
+        let (rotation, _) = pose::rows(&view.arm().fk(&q));
+        rotation
+    };
+    let (on_rim, quarter) = (turned([a, b, c]), math::half_turn::<T>() * T::lit(0.5));
+    // What a quarter turn of a joint does to the tool is a quarter turn about the joint's axis.
+    let axis = |sphere| {
+        let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] =
+            pose::product(&turned(sphere), &pose::transposed(&on_rim));
+        [zy - yz, xz - zx, yx - xy].map(|twice| twice * T::lit(0.5))
+    };
+    // On the rim the three axes lie in one plane.
+    let normal = cross(axis([a + quarter, b, c]), axis([a, b, c + quarter]));
+    let size = math::max(length(normal), T::EPS);
+    let normal = Axis { slides: false, direction: normal.map(|x| x / size), point: [T::lit(0.0); 3] };
+    let (rotation, position) = pose::rows(wanted);
     // On the rim itself round-off would decide, which a stretched elbow magnifies to its square root.
     let enough = missing + T::lit(64.0) * math::sqrt(T::EPS);
     for angle in [enough, -enough] {
-        let (sine, cosine) = math::sin_cos(angle);
-        let columns = pose::transposed(&rows).map(|v| {
-            let axis = [c, s, T::lit(0.0)];
-            let (along, side) = (dot(&axis, &v) * (T::lit(1.0) - cosine), cross(axis, v));
-            let [vx, vy, vz] = v;
-            let ([ax, ay, az], [sx, sy, sz]) = (axis, side);
-            [
-                vx * cosine + sx * sine + ax * along,
-                vy * cosine + sy * sine + ay * along,
-                vz * cosine + sz * sine + az * along,
-            ]
-        });
-        if let Ok(angles) = any(arm.wrist_angles(&pose::matrix3(pose::transposed(&columns)))) {
+        let columns = pose::transposed(&rotation).map(|column| normal.turned(column, angle));
+        if let Ok(angles) = any(&pose::from_rows(pose::transposed(&columns), position)) {
             return Ok(angles);
         }
     }
@@ -173,16 +223,18 @@ impl<T: Float> GeneralBase<T> {
 }
 
 impl<T: Float> Sized<T> {
-    /// Value number `sample` of a joint: over a turn, or over the travel of a slide.
-    fn value(&self, slides: bool, sample: usize) -> T {
-        let share = T::lit(sample as f64 / SAMPLES as f64);
-        if slides {
-            // As far again as the point is away.
-            let far = T::lit(TRAVEL) + largest(self.point);
-            far * (share * T::lit(2.0) - T::lit(1.0))
-        } else {
-            (share - T::lit(0.5)) * T::TURN.0
+    /// Value number `sample` of a joint that moves a point: over a turn, or over the travel of a slide.
+    fn value(&self, axis: &Axis<T>, point: [T; 3], sample: usize) -> T {
+        let share = T::lit(sample as f64 / SAMPLES as f64 - 0.5);
+        if !axis.slides {
+            return share * T::TURN.0;
         }
+        // As far again as the point is away; closer together where the slide passes axis 2, to whose sides there is one minimum each.
+        let [_, second, _] = &self.axes;
+        let across = plus(axis.direction, second.direction, -dot(&axis.direction, &second.direction));
+        let passed = -dot(&across, &second.arm(point)) / math::max(dot(&across, &across), T::EPS);
+        let (far, share) = (T::lit(TRAVEL) + largest(self.point), share * T::lit(2.0));
+        passed + far * share * math::abs(share)
     }
 
     /// What joint 2 cannot change of a point.
@@ -210,19 +262,20 @@ impl<T: Float> Sized<T> {
     /// The nearest pairs of samples, each nearer than its neighbours on the third joint's curve; the best first.
     fn starts(&self) -> [Option<Pair<T>>; STARTS] {
         let [one, _, three] = &self.axes;
-        let mut goals = [[T::lit(0.0); 3]; SAMPLES];
+        let mut goals = [(T::lit(0.0), [T::lit(0.0); 3]); SAMPLES];
         for (sample, goal) in goals.iter_mut().enumerate() {
-            *goal = self.kept(one.moved(self.point, -self.value(one.slides, sample)));
+            let back = self.value(one, self.point, sample);
+            *goal = (-back, self.kept(one.moved(self.point, back)));
         }
         let mut pairs = [Pair { square: T::lit(0.0), first: T::lit(0.0), third: T::lit(0.0) }; SAMPLES];
         for (sample, pair) in pairs.iter_mut().enumerate() {
-            pair.third = self.value(three.slides, sample);
+            pair.third = self.value(three, self.carried, sample);
             let here = self.kept(three.moved(self.carried, pair.third));
-            for (other, goal) in goals.iter().enumerate() {
+            for (other, (first, goal)) in goals.iter().enumerate() {
                 let way = less(*goal, here);
                 let square = dot(&way, &way);
                 if other == 0 || square < pair.square {
-                    (pair.square, pair.first) = (square, self.value(one.slides, other));
+                    (pair.square, pair.first) = (square, *first);
                 }
             }
         }

@@ -206,8 +206,7 @@ impl<T: Float> GeneralBase<T> {
         let ways = conic::meet(&from, &to, window, slack, o3);
         let mut found = [None; 4];
         ArmPosture::slots(|posture| {
-            let beyond = Reason::OutOfReach { by: size, towards: Boundary::Envelope, theta1: None };
-            let mut way = (*posture.of(&ways)).ok_or(beyond)?;
+            let mut way = (*posture.of(&ways)).ok_or(Reason::NoSuchBranch)?;
             let shared = ways.iter().flatten().filter(|other| way.is_beside(other)).count() > 1;
             way.first = match (way.free, held1, azimuth) {
                 // Whole turns are taken off first: many of them would leave no digits for the offset.
@@ -298,13 +297,16 @@ struct Settled<T> {
 impl<T: Float> Settled<T> {
     fn placed(&self, base: &GeneralBase<T>, values: [T; 3], size: T) -> Placed<T> {
         let [shoulder_free, elbow_free] = self.free;
-        Placed {
+        let placed = Placed {
             rows: base.rows(values, size),
             shoulder: self.shoulder * size,
             elbow: self.elbow,
             shoulder_free,
             elbow_free,
-        }
+        };
+        // Near axis 2 the motion of joint 2 is short: its direction is as good as any, and neither of the others tells of it.
+        let second = base.second_distance(&placed).map_or(placed.elbow, |distance| distance / base.reach);
+        Placed { elbow: math::min(placed.elbow, second), ..placed }
     }
 }
 
@@ -404,7 +406,7 @@ impl<T: Float> Sized<T> {
         // A figure that closed but for its round-off may still be open where that is magnified: what is missed decides.
         let reached = if way.open { window + window } else { T::lit(ACCEPTED * 0.5) * T::EPS };
         if miss > reached {
-            return Err(miss);
+            return Err(length(stance.missed));
         }
         let [j1, j2, j3] = stance.velocities;
         let (pair, speed) = (cross(j1, j2), length(j2));

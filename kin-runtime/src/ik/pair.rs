@@ -57,12 +57,7 @@ impl<T: Float> PairBase<T> {
 
     /// All ways of putting the carried point at `p`; the third value of a placement is nothing. Both shoulders are one.
     pub fn place(&self, p: [T; 3], size: T, hold: Option<T>) -> Placements<T> {
-        let ([first, second], [o1, o2]) = (self.axes, self.offset);
-        let still = Axis { slides: false, point: p, ..first };
-        let offset = [T::lit(0.0), o1, o2];
-        let three =
-            GeneralBase { axes: [still, first, second], carried: self.carried, offset, reach: self.reach };
-        three.place(p, size, [None, hold]).map(|placement| {
+        self.behind(p).place(p, size, [None, hold]).map(|placement| {
             let mut placed = placement.map_err(|reason| match reason {
                 Reason::OutOfReach { by, .. } => {
                     Reason::OutOfReach { by, towards: Boundary::Surface, theta1: None }
@@ -78,6 +73,20 @@ impl<T: Float> PairBase<T> {
             (placed.rows, placed.shoulder_free, placed.elbow_free) = ([t1, t2, T::lit(0.0)], free, false);
             Ok(placed)
         })
+    }
+
+    /// The row values that bring the carried point nearest to `p`.
+    pub(super) fn closest(&self, p: [T; 3]) -> [T; 2] {
+        let [_, t1, t2] = self.behind(p).closest(p);
+        [t1, t2]
+    }
+
+    /// The base of three joints whose first one turns about the point to be reached.
+    fn behind(&self, p: [T; 3]) -> GeneralBase<T> {
+        let ([first, second], [o1, o2]) = (self.axes, self.offset);
+        let still = Axis { slides: false, point: p, ..first };
+        let offset = [T::lit(0.0), o1, o2];
+        GeneralBase { axes: [still, first, second], carried: self.carried, offset, reach: self.reach }
     }
 
     /// The distance of the point from axis 1, and the angle between the two motions, whichever way they go; where axis 1

@@ -48,6 +48,7 @@ impl<T: Float> Sized<T> {
             ((from, to), (arm, goal), math::max(math::abs(gap[0]), math::abs(gap[1])))
         };
         let ((mut from, mut to), (mut arm, mut goal), mut gap) = apart(&way);
+        let mut before: Option<[T; 2]> = None;
         for count in 0..STEPS {
             if second.slides
                 || way.free
@@ -65,6 +66,13 @@ impl<T: Float> Sized<T> {
             let level = [gap1, gap3].map(|gap| -height * gap / square);
             let ahead =
                 [math::abs(gap3), if gap3 < T::lit(0.0) { gap1 } else { -gap1 }].map(|gap| gap / scale);
+            // Where the heights do not tell of joint 3 it may point either way: right stays right from step to step.
+            let [onward, upward] = ahead;
+            let ahead = match before {
+                Some([x, y]) if x * onward + y * upward < T::lit(0.0) => [-onward, -upward],
+                _ => ahead,
+            };
+            before = Some(ahead);
             // Only what is across axis 2 changes the distance.
             let across = |v: [T; 3]| plus(v, second.direction, -dot(&second.direction, &v));
             let ([level1, level3], [ahead1, ahead3]) = (level, ahead);

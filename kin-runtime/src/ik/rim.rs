@@ -41,7 +41,7 @@ pub(super) fn reached<T: Float, V: View>(
         return;
     }
     let before = *plans;
-    for (count, (posture, both)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
+    for (count, (posture, both)) in ArmPosture::ALL.iter().zip(plans.iter_mut()).enumerate() {
         let ([Plan::Rim(start, by, _), _], Ok(placed)) = (*both, posture.of(placements)) else { continue };
         let (here, _) = V::apart(start);
         let nearer = |(place, [other, _]): (usize, &[Plan<T, V::Branch>; 2])| match other {
@@ -58,6 +58,38 @@ pub(super) fn reached<T: Float, V: View>(
         };
         if doubtful && !before.iter().enumerate().any(nearer) {
             *both = settled(task, *posture, placed, (start, by)).unwrap_or(*both);
+        }
+    }
+    let is_tried = |both: &[Plan<T, V::Branch>; 2]| both.iter().any(|plan| matches!(plan, Plan::Try(..)));
+    if !plans.iter().any(is_tried) {
+        between(task, placements, plans);
+    }
+}
+
+/// Where two joints of the base are all but free, its round-off is more than is known of it, and two ways that are one come out apart,
+/// both beyond the rim. If nothing else reaches the pose, they and what is halfway between them are tried.
+fn between<T: Float, V: View>(
+    task: &Task<'_, T, V>,
+    placements: &Placements<T>,
+    plans: &mut [[Plan<T, V::Branch>; 2]; 4],
+) {
+    let rim = |[plan, _]: &[Plan<T, V::Branch>; 2]| match plan {
+        Plan::Rim(rows, by, _) if *by <= math::sqrt(T::EPS) => Some((*rows, *by)),
+        Plan::Rim(..) | Plan::Try(..) | Plan::Again(_) | Plan::Empty(_) => None,
+    };
+    let rims = plans.each_ref().map(rim);
+    for (count, (posture, both)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
+        let (Some((here, by)), Ok(placed)) = (rim(both), posture.of(placements)) else { continue };
+        for (there, more) in rims.iter().skip(count).flatten() {
+            let mut middle = here;
+            let mut ways = *there;
+            ways.iter_mut().zip(here).for_each(|(there, here)| *there -= here);
+            let ways = pose::entries(&given_out(ways, &V::Arm::JOINTS));
+            middle.iter_mut().zip(ways).for_each(|(value, way)| *value += way * T::lit(0.5));
+            if let Some(found) = settled(task, *posture, placed, (middle, math::max(by, *more))) {
+                *both = found;
+                return;
+            }
         }
     }
 }

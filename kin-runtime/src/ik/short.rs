@@ -10,7 +10,7 @@
 
 use crate::ik::attempt::Attempt;
 use crate::ik::base::Placed;
-use crate::ik::general::SLACK;
+use crate::ik::general::{SLACK, length, less};
 use crate::ik::settle::{improved, moved_least, other_root, settle};
 use crate::ik::target::{Target, distance};
 use crate::ik::{ACCEPTED, Carrier, SETTLED, finite, given_out, sliding};
@@ -277,21 +277,32 @@ impl<T: Float, A> Task<'_, T, A> {
         }
         let (q, missed) = found;
         let near = T::lit(SLACK) * math::sqrt(T::EPS);
-        if missed > T::lit(SETTLED) * T::EPS && missed <= near {
+        if !self.is_settled(missed) && missed <= near {
             // Steps that all come nearer end where two directions are lost together; those that need not do so end on the pose. Exactly
             // between two solutions no step tells where either is: then from one side.
             for by in [T::lit(0.0), T::lit(ASIDE) * math::sqrt(missed)] {
                 let start = if by > T::lit(0.0) { moved_least(self.arm, &q, by) } else { q };
                 if let Some((q, settled)) = settle(self.arm, &self.target.pose, &start)
                     && settled < missed
-                    && (settled <= T::lit(SETTLED) * T::EPS || by > T::lit(0.0))
+                    && (self.is_settled(settled) || by > T::lit(0.0))
                 {
-                    let q = given_out(pose::entries(&q), &A::JOINTS);
-                    return Attempt { q, missed: settled, free: Free::NOTHING, read, strayed: true };
+                    let (q, reached) = (given_out(pose::entries(&q), &A::JOINTS), self.is_settled(settled));
+                    let free = Free::NOTHING;
+                    return Attempt { q, missed: settled, reached, free, read, strayed: true };
                 }
             }
         }
-        Attempt { q, missed, free, read, strayed: false }
+        Attempt { q, missed, reached: self.is_settled(missed), free, read, strayed: false }
+    }
+
+    /// Whether a residual is what a solution may miss: in units of the reach; where a slide leads farther out than twice that, of half the
+    /// pose's own distance.
+    fn is_settled<const N: usize>(&self, missed: T) -> bool
+    where
+        A: SolveShort<N>,
+    {
+        let (scale, reach) = (self.target.scale, T::lit(self.arm.reach()));
+        missed * scale <= T::lit(SETTLED) * T::EPS * math::max(reach, scale * T::lit(0.5))
     }
 
     /// All joint values, from the row values of those that carry the point.
@@ -336,7 +347,8 @@ impl<T: Float, A> Task<'_, T, A> {
         let ((r, p), (wanted, to)) = (pose::rows(reached), pose::rows(&self.target.pose));
         let off = distance(&p, &to);
         if off > T::lit(ACCEPTED) * T::EPS * self.target.scale {
-            return Reason::OutOfReach { by: off, towards: Boundary::Surface, theta1: None };
+            let by = length(less(p, to));
+            return Reason::OutOfReach { by, towards: Boundary::Surface, theta1: None };
         }
         let apart = r.iter().flatten().zip(wanted.iter().flatten());
         let square = apart.fold(T::lit(0.0), |sum, (a, b)| sum + (*a - *b) * (*a - *b));

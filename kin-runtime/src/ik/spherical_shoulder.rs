@@ -34,7 +34,7 @@ pub fn solve_holding<T: Float, A: SolveShoulder<6>>(
 }
 
 /// The arm as its tool sees it.
-struct FromTool<'a, A>(&'a A);
+pub(super) struct FromTool<'a, A>(pub(super) &'a A);
 
 impl<A: SolveShoulder<6>> View for FromTool<'_, A> {
     type Arm = A;

@@ -17,7 +17,7 @@ use crate::solutions::{ArmPosture, Bend, Free, Loose, Margins, Posture, Reason, 
 use crate::widths::{self, Instructions};
 use nalgebra::Matrix3;
 
-/// All solutions; free coordinates by the convention of seed 000.
+/// All solutions; free coordinates by the convention.
 pub fn solve<T: Float, A: SolveWrist<6>>(arm: &A, pose: &Pose<T>) -> Solutions<T, 6, Posture> {
     solve_choosing(arm, pose, &[None; 6])
 }
@@ -139,7 +139,7 @@ fn singular<T: Float, A: SolveWrist<6>>(
 }
 
 /// The arm as it stands.
-struct FromBase<'a, A>(&'a A);
+pub(super) struct FromBase<'a, A>(pub(super) &'a A);
 
 impl<A: SolveWrist<6>> View for FromBase<'_, A> {
     type Arm = A;

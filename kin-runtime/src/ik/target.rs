@@ -99,7 +99,10 @@ pub fn size<T: Float>(position: &[T; 3], reach: T) -> Result<T, Reason<T>> {
     }
     if largest * T::EPS > reach {
         // Beyond this the squares of a figure could overflow, and the arm is less than round-off of the distance.
-        return Err(Reason::OutOfReach { by: largest - reach, towards: Boundary::Reach, theta1: None });
+        let [x, y, z] = position.map(|x| x / largest);
+        let length = largest * math::sqrt(x * x + y * y + z * z);
+        let by = if math::is_finite(length) { length } else { largest } - reach;
+        return Err(Reason::OutOfReach { by, towards: Boundary::Reach, theta1: None });
     }
     Ok(math::max(largest, reach))
 }

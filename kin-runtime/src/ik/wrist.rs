@@ -61,7 +61,7 @@ impl<T: Float> WristFamily<T> {
         Self { constant, tilt: T::lit(0.0), ..self }
     }
 
-    /// The member that shares the constant evenly between joints 4 and 6: the convention of seed 000. Where that
+    /// The member that shares the constant evenly between joints 4 and 6: the convention. Where that
     /// would cost accuracy, the member that fits best.
     pub fn even(&self) -> [T; 3] {
         let harmless = self.tilt <= T::lit(ROUND_OFF) * T::EPS;

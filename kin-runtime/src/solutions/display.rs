@@ -72,6 +72,7 @@ impl<T: Float> fmt::Display for Reason<T> {
                 };
                 write!(f, " {side} {towards}")
             }
+            Reason::NoSuchBranch => f.write_str("the arm has no such branch there"),
             Reason::Orientation { by } => {
                 f.write_str("the tool cannot be turned like that there: ")?;
                 write_amount(f, *by)?;

@@ -69,8 +69,8 @@ impl<T: Float, const N: usize, B: Branch> Family<'_, T, N, B> {
         self.kept((&A::JOINTS, limits), &solve, (value, &self.solution().q))
     }
 
-    /// The member nearest to `q`: the one whose largest joint move is smallest, angles compared modulo 2π. Where the family meets a
-    /// straight one, the members of that are among them.
+    /// The member nearest to `q`: the one whose largest joint move is smallest, angles compared modulo 2π and slides in the arm's unit
+    /// against radians. Where the family meets a straight one, the members of that are among them. Limits are not asked.
     ///
     /// For a wrist, or a spherical shoulder, this is exact. Else it is the best of 64 members and of what a search between
     /// the neighbours of the best finds; where a further joint of the base is free, of 32 times 32, both joints moving.
@@ -311,18 +311,13 @@ fn edge<T: Float>(mut inside: T, mut outside: T, is_inside: &impl Fn(T) -> bool)
 }
 
 impl<T: Float, const N: usize> Constraint<T, N> {
-    /// By how much a joint vector misses the constraint; nothing for [`Constraint::Line`] and [`Constraint::Follow`],
-    /// which say nothing of single values.
-    pub fn missed_by(&self, q: &Joints<T, N>) -> T {
+    /// By how much a joint vector misses the constraint, an angle in [0, π]. `None` for [`Constraint::Line`] and
+    /// [`Constraint::Follow`], which say nothing of single values: whether joints are a member of such a family, forward
+    /// kinematics tells.
+    pub fn missed_by(&self, q: &Joints<T, N>) -> Option<T> {
+        let Constraint::Sum { joints: [i, j], difference, equals } = self else { return None };
         let q = pose::entries(q);
-        match self {
-            Constraint::Sum { joints: [i, j], difference, equals } => match (q.get(*i), q.get(*j)) {
-                (Some(a), Some(b)) => {
-                    math::abs(math::wrap(if *difference { *a - *b } else { *a + *b } - *equals))
-                }
-                _ => T::lit(0.0),
-            },
-            Constraint::Line(_) | Constraint::Follow => T::lit(0.0),
-        }
+        let (a, b) = (*q.get(*i)?, *q.get(*j)?);
+        Some(math::abs(math::wrap(if *difference { a - b } else { a + b } - *equals)))
     }
 }

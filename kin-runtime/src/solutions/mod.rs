@@ -54,21 +54,24 @@ pub struct Solution<T, const N: usize, B> {
     pub(crate) free: Free<N>,
 }
 
-/// How far a solution is from each kind of singular pose, in the arm's own terms. The Jacobian loses a rank where, and
-/// only where, one of them is zero.
+/// How far a solution is from each kind of singular pose, in the arm's own terms. The Jacobian of six joints, or of a tool point
+/// that three joints carry, loses a rank where, and only where, one of them is zero; of shorter arms what the joints do to the
+/// point that they carry.
 ///
 /// With a spherical shoulder they are those of the arm seen from its tool: `shoulder` is the angle of the shoulder's bend from
 /// where its three axes lie in one plane, and `wrist` the distance, a length, of the shoulder's centre from the plane through
-/// axis 6 in which both hands are one.
+/// axis 6 in which both hands are one. Of two joints that carry a point `shoulder` is the point's distance from axis 1 (the reach
+/// where joint 1 slides), `elbow` the angle between the two motions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Margins<T> {
     /// The distance, a length, of the wrist centre from the plane through axis 1 in which both shoulders are one. On a
-    /// [general base](crate::ik::general): its distance from axis 1 seen along the motion of joint 2, the sine of the angle
-    /// between the two motions where joint 1 slides.
+    /// [general base](crate::ik::general): its distance from axis 1 seen along the motion of joint 2; where joint 1 slides, the sine
+    /// of the angle between the two motions times the reach (or times the pose's own distance, if that is larger).
     pub shoulder: T,
     /// The angle of the elbow from stretched or folded, whichever is nearer; a length, the extension, for a slide.
-    /// On a [general base](crate::ik::general): the angle between joint 3's motion and the plane of the other two.
+    /// On a [general base](crate::ik::general): the angle between joint 3's motion and the plane of the other two, or the distance of
+    /// the wrist centre from axis 2 in reaches, whichever is less: on that axis joint 2 is free.
     pub elbow: T,
     /// The angle of the wrist's bend from where its three axes lie in one plane; `None` for an arm without a wrist.
     pub wrist: Option<T>,
@@ -219,7 +222,8 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 
     /// The solution nearest to `q`: the one whose largest joint move is smallest, among equals the one whose moves
-    /// have the smallest sum. Angles are compared modulo 2π.
+    /// have the smallest sum. Angles are compared modulo 2π. Slides count in the arm's unit against radians, of which solutions alone
+    /// know no better; [`ik_near`](crate::InverseKinematics::ik_near) counts them in reaches.
     pub fn nearest(&self, q: &Joints<T, N>) -> Option<&Solution<T, N, B>> {
         let mut best: Option<(&Solution<T, N, B>, Move<T>)> = None;
         for solution in self.iter() {

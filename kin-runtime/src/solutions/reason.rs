@@ -17,7 +17,7 @@ pub enum Reason<T> {
     /// The orientation is a rotation and a reflection: its determinant is -1.
     LeftHanded,
     /// The pose is too far away, or too near. The nearest one that the arm reaches is what
-    /// [`ClosestPose::closest`](crate::ClosestPose::closest) gives, for a position
+    /// [`ClosestPose::closest`](crate::ClosestPose::closest) gives for six joints, for a position
     /// [`ClosestPoint::closest_point`](crate::ClosestPoint::closest_point).
     OutOfReach {
         /// The distance to the nearest point that this figure reaches, with the joints before it as they are: a length, or
@@ -26,10 +26,14 @@ pub enum Reason<T> {
         by: T,
         /// Which boundary lies between.
         towards: Boundary,
-        /// The value of the first joint, where that was found and only the rest fails. With a spherical shoulder joint 6 is
-        /// found first, and nothing stands here.
+        /// The value of the first joint as the table has it, before `couple:`, where that was found and only the rest fails: an
+        /// angle, or a length where it slides. With a spherical shoulder joint 6 is found first, and nothing stands here.
         theta1: Option<T>,
     },
+    /// The arm has fewer ways than branches where the pose is, and no other begins nearby: three joints of which two slide have two
+    /// of four, and a [general base](crate::ik::general) may have two of four anywhere. Of a pose that is reached by no branch
+    /// at least one tells its distance.
+    NoSuchBranch,
     /// The tool cannot be turned like that where the pose has it: an arm of fewer than six joints.
     Orientation {
         /// The angle, in radians, between the orientation and the one that the joints come to; others may be nearer.

@@ -48,7 +48,8 @@ impl<T: Float, const N: usize, B: Branch> Solutions<T, N, B> {
     }
 
     /// The winding within the limits that is nearest to `q`: the one whose largest joint move is smallest, among equals
-    /// the one whose moves have the smallest sum. Moves are real ones: a turn more is a turn away.
+    /// the one whose moves have the smallest sum. Moves are real ones: a turn more is a turn away. Slides count as in
+    /// [`nearest`](Solutions::nearest).
     pub fn nearest_winding(&self, q: &Joints<T, N>, limits: &Limits<N>) -> Option<Winding<T, N, B>> {
         let mut best: Option<(Winding<T, N, B>, Move<T>)> = None;
         for solution in self.iter() {

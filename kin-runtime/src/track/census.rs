@@ -1,6 +1,6 @@
 //! How many solutions there are along a path: what is to be chosen from, next to what [`Track`] chooses.
 //!
-//! This is what the third task of seed 003 asks for: "track the number of solutions along the way and choose the correct one and
+//! A course's task asks for this: "track the number of solutions along the way and choose the correct one and
 //! closest to the previous (current) configuration", and in a singular pose "revert back to the previous non-singular solution
 //! for this joint". [`Stop::count`] is the number, [`Stop::step`] the choice, [`Stop::held`] the joints of which the pose says
 //! nothing.

@@ -132,27 +132,31 @@ where
 {
     let q = aimed(arm, &CARRIED, random);
     solved(arm, &q, number, hash);
+    ended(arm, &q, number, random, hash);
+}
+
+fn shoulder<A>(arm: &A, number: u32, random: &mut Random, hash: &mut Hash)
+where
+    A: InverseKinematics<6> + Factored<6> + ClosestPose<6>,
+{
+    let q = aimed(arm, &CARRYING, random);
+    solved(arm, &q, number, hash);
+    ended(arm, &q, number, random, hash);
+}
+
+/// Now and then what is dear: a path, or the nearest pose.
+fn ended<A>(arm: &A, q: &Joints<f64, 6>, number: u32, random: &mut Random, hash: &mut Hash)
+where
+    A: InverseKinematics<6> + ClosestPose<6>,
+{
     match number % 8 {
-        1 => passed(arm, &q, random, hash),
+        1 => passed(arm, q, random, hash),
         2 => {
-            let mut pose = arm.fk(&q);
+            let mut pose = arm.fk(q);
             pose.translation.vector *= 1.0 + random.unit();
             hash.closest(&arm.closest(&pose));
         }
         _ => {}
-    }
-}
-
-fn shoulder<A: InverseKinematics<6> + Factored<6>>(
-    arm: &A,
-    number: u32,
-    random: &mut Random,
-    hash: &mut Hash,
-) {
-    let q = aimed(arm, &CARRYING, random);
-    solved(arm, &q, number, hash);
-    if number % 8 == 1 {
-        passed(arm, &q, random, hash);
     }
 }
 

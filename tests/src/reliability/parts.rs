@@ -1,5 +1,6 @@
 //! The parts of a run: each structural family in both number formats, and all arms with wild bits.
 
+use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 
@@ -45,7 +46,12 @@ impl Part {
         self.arms.iter().map(|(arm, _)| arm.name)
     }
 
-    /// How many of its arms are aimed at each of these kinds of singular poses.
+    /// The kinds of singular poses that its arms are aimed at.
+    pub fn kinds(&self) -> BTreeSet<&'static str> {
+        self.arms.iter().flat_map(|(arm, _)| arm.sights.kinds()).collect()
+    }
+
+    /// How many of its arms are aimed at a kind of singular poses.
     pub fn aimed(&self, kind: &str) -> usize {
         self.arms.iter().filter(|(arm, _)| arm.sights.kinds().contains(&kind)).count()
     }

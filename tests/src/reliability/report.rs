@@ -1,5 +1,6 @@
 //! What came of a run: a table for the terminal, and RELIABILITY.md.
 
+use std::collections::BTreeSet;
 use std::fmt::{self, Write};
 
 use super::parts::Part;
@@ -88,11 +89,30 @@ pub fn markdown(state: &State) -> String {
     text
 }
 
+/// The arms of each part, then how many of them are aimed at each kind of singular poses.
 fn arms(state: &State) -> String {
+    let asked = state.asked();
+    let parts: Vec<&Part> = asked.iter().filter(|part| !part.wild && part.format == "f64").collect();
+    let family = |part: &Part| part.name.trim_end_matches("-f64").to_owned();
     let mut text = String::new();
-    for part in state.asked().iter().filter(|part| !part.wild && part.format == "f64") {
+    for part in &parts {
         let names: Vec<&str> = part.arms().collect();
-        let _ = writeln!(text, "- {}: {}.", part.name.trim_end_matches("-f64"), names.join(", "));
+        let _ = writeln!(text, "- {}: {}.", family(part), names.join(", "));
+    }
+    text.push_str(AIMED);
+    let kinds: BTreeSet<&str> = parts.iter().flat_map(|part| part.kinds()).collect();
+    let heads: Vec<&str> = kinds.iter().copied().collect();
+    let _ =
+        writeln!(text, "| part | arms | {} |\n|---|---|{}", heads.join(" | "), "---|".repeat(heads.len()));
+    for part in &parts {
+        let _ = write!(text, "| {} | {} |", family(part), part.arms().count());
+        for kind in &kinds {
+            let _ = match part.aimed(kind) {
+                0 => write!(text, " – |"),
+                arms => write!(text, " {arms} |"),
+            };
+        }
+        text.push('\n');
     }
     text
 }
@@ -133,8 +153,8 @@ Written by `cargo run --release -p tests --bin reliability`; not edited by hand.
 
 ## What is guaranteed
 
-For every arm that `dh!` gives an `ik` or `ik_position`, and for every pose that forward kinematics can produce, up to and at
-every singular set:
+For the arms listed below, and for every pose that their forward kinematics can produce, up to and at every singular set (for other
+arms that `dh!` gives an `ik` or `ik_position` the same is meant, and was tried less: see below):
 
 - **Something comes back**: no reachable pose is empty.
 - **Nothing is lost**: the joints that the pose came from are among the solutions, or are a member of a returned family,
@@ -143,8 +163,10 @@ every singular set:
   comes back that the pose cannot tell from them.
 - **Nothing is wrong**: forward kinematics of every solution returns to the pose within 16 ε of the reach (positions) and
   16 ε (rotation entries); where the joints that carry the point are a general base, within 64 ε. The solver itself refuses
-  whatever misses by more than 64 ε, of the reach or of the pose's largest coordinate if a slide without limits leads farther out;
-  where a spherical wrist or shoulder is on a planar base, isolated solutions that miss by more than 16 ε.
+  whatever misses by more than 64 ε, of the reach or of the pose's largest coordinate where that is more (a slide without limits, a
+  `base:` far away); of short arms, and isolated solutions of a spherical wrist or shoulder on a planar base, by more than 16 ε.
+  A general base is one that [a page of its own](kin-runtime/src/ik/general.rs) solves: of the parts below all but elbow, telescope,
+  shoulder, position and short.
 - **Nothing comes twice**: two solutions differ by more than 6.7·√ε (1e-7 for doubles), and there are never more than the
   structure has: 4 ways of three joints that carry a point, 2 where two of them slide or where there are two, 1 where three
   slide; twice that with a spherical wrist or shoulder.
@@ -160,6 +182,11 @@ every singular set:
   are drawn at random, a quarter of them zero. It finds nothing, but more tries do: in doubles fewer than one in 10⁵ is lost or comes
   back empty, in singles five, nearly all of them where three figures are singular at once under a wrist or shoulder that is oblique. Of
   telescopes whose slide draws in to where axes 1 and 2 meet, under an oblique wrist, it is one in two hundred of poses aimed so.
+- **Families of a general base** are those of joint 1 or joint 2 alone: the carried point on axis 1, or on axis 2. Where axis 3 can
+  come to lie on axis 1 (a₁ = a₂, d₂ = 0, α₁ = ±α₂) joints 1 and 3 are free together; members come back then, as isolated
+  solutions. No real arm is known to be built so.
+- **A position** of two or three joints is solved where all of them are needed to move the point; a point that stays on a surface or a
+  curve whatever three joints do is not: the compiler says so.
 - **The bound min(10³·ε/σ, 10²·√ε) does not hold for every pose**: the column *blurred* counts where it is missed. No solver
   that is given a rounded pose can keep it there. At a distance δ from the wrist's singular set, θ4 and θ6 alone are determined
   to ε/δ, which is more than 10²·√ε where δ < 1e-10, and a family is declared only where every member reaches the pose, δ ≤ 32 ε;
@@ -174,7 +201,8 @@ every singular set:
   length at most. All its points are then solutions as good as any that may be given out, more than six joints can have isolated
   ones, so that a solver which is given the pose alone has nothing to prefer one by. Another solution that happens to be as far
   from the singular sets, the arm on its other side for instance, is not connected to the joints that went in, and does not
-  count; where no way is found the try counts as lost. (`cargo test -p tests --test reliability` also looks for ways between
+  count; where no way is found the try counts as lost. At a pose that is singular exactly any member of a family is such a solution,
+  whether it came back as a family or not: that it does is what `--test straight`, `crossings`, `shoulders` and `ik` hold. (`cargo test -p tests --test reliability` also looks for ways between
   solutions that their pose does determine, and must find none.)
 - Two solutions closer than 6.7·√ε are given as one; a wrist that is within 32 ε of its singular set is given as a family.
 - Poses that are not the arm's own by more than round-off are judged by their distance from the boundary, which itself has a
@@ -182,6 +210,9 @@ every singular set:
 - Joint limits, collisions and the difference between the declared and the real arm are the caller's.
 - Whether *all* solutions are found, not only those that went in, is the business of `tests/tests/ik.rs`, which compares with
   the complete sets of the reference.
+- Random bits go through `fk`, `jacobian` and `ik`; `ik_near`, `track`, `closest` and families meet infinities, NaN and huge numbers
+  in tests of their own. Paths are followed by the million with `cargo run --release -p tests --bin motion`, which fails if one flips
+  where a continuous choice exists: the page of `kin_runtime::track` tells what came of them.
 
 ## Verdict
 
@@ -204,13 +235,20 @@ every entry off by some last bits.
 
 The parts: elbow, telescope, general, meeting (axes 1 and 2), parallel (axes 1 and 2), crossing (axes 2 and 3 meet) and sliding
 (one to three slides) are bases under a spherical wrist; shoulder and shoulder-general are such bases seen from the tool, where the
-first three axes meet; position are three joints, and two, solved from a position; short are poses of two to five joints. Those that
-stand on a general base, two joints among them, are called so.
+first three axes meet; position are three joints, and two, solved from a position; short are poses of two to five joints. Of these
+three, arms that stand on a general base, two joints among them, are in parts that are called so; general, meeting, parallel, crossing
+and sliding are all of them general bases.
+";
+
+const AIMED: &str = "
+How many of them are aimed at each kind of singular poses, each at ±10⁻ᵏ, k = 0 … 17, and exactly, alone and in any company:
+
 ";
 
 const CASES: &str = "\
 Joint values (for `malformed` wild bits the pose, rotation by rows and then the position) as hexadecimal bit patterns. To run one
-again: `cargo run --release -p tests --bin reliability -- --seed SEED --again PART:NUMBER`.
+again: `cargo run --release -p tests --bin reliability -- --seed SEED --again PART:NUMBER`. (A run without `--no-report` or
+`--report FILE` writes this page anew.)
 
 | try | arm | what | bits |
 |---|---|---|---|
