@@ -131,7 +131,7 @@ fn families<A: InverseKinematics<6>>(
             if wrap(value - meeting.q[meeting.free]).abs() < 1e-6
                 && member.families().any(|line| {
                     matches!(line.constraint(), Constraint::Sum { .. })
-                        && line.constraint().missed_by(&meeting.q) < 1e-6
+                        && line.constraint().missed_by(&meeting.q).is_some_and(|by| by < 1e-6)
                         && farthest(
                             &member.q,
                             &meeting.aside(wrap(member.q[meeting.outer[0]] - meeting.q[meeting.outer[0]])),

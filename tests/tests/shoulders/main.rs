@@ -130,7 +130,7 @@ fn a_straight_shoulder_is_a_family() {
         assert_eq!((joints, found), ([0, 2], difference));
         let constant = if difference { 0.7 - 0.4 } else { 0.7 + 0.4 };
         assert!(wrap(equals - constant).abs() < 1e-14);
-        assert!(family.constraint().missed_by(&q) < 1e-14);
+        assert!(family.constraint().missed_by(&q).is_some_and(|by| by < 1e-14));
         let sign = if difference { '-' } else { '+' };
         assert_eq!(family.to_string(), format!("theta1 {sign} theta3 = {constant:.4}"));
         // Shared evenly by convention, any member on demand, the nearest to the joints that were.
