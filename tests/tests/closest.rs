@@ -205,10 +205,10 @@ fn the_nearest_pose_is_that_of_a_search() {
 
 #[test]
 fn so_it_is_of_arms_with_a_spherical_shoulder() {
-    shoulder(&Human::default(), 40 / SHARE);
-    shoulder(&HandParallelA, 40 / SHARE);
-    shoulder(&Twisted, 40 / SHARE);
-    shoulder(&HandMeetingA, 40 / SHARE);
+    shoulder(&Human::default(), 80 / SHARE);
+    shoulder(&HandParallelA, 80 / SHARE);
+    shoulder(&Twisted, 80 / SHARE);
+    shoulder(&HandMeetingA, 80 / SHARE);
 }
 
 #[test]
