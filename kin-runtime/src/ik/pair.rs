@@ -4,7 +4,7 @@
 //! the point to be reached. The point moves on a surface only, so that most points are not reached.
 
 use crate::ik::base::Placements;
-use crate::ik::general::{Axis, GeneralBase, cross};
+use crate::ik::general::{Axis, GeneralBase, cross, length, less};
 use crate::ik::position::{self, Carrier};
 use crate::ik::{ROUND_OFF, finite};
 use crate::math::{self, Float};
@@ -55,11 +55,15 @@ impl<T: Float> PairBase<T> {
         axes && all(&self.carried) && all(&self.offset)
     }
 
-    /// All ways of putting the carried point at `p`; the third value of a placement is nothing. Both shoulders are one.
+    /// All ways of putting the carried point at `p`; the third value of a placement is nothing. Both shoulders are one. Where no
+    /// way leads there, a figure's distance is that of the surface.
     pub fn place(&self, p: [T; 3], size: T, hold: Option<T>) -> Placements<T> {
-        self.behind(p).place(p, size, [None, hold]).map(|placement| {
+        let placements = self.behind(p).place(p, size, [None, hold]);
+        let surface = placements.iter().all(|placement| placement.is_err()).then(|| self.distance(p));
+        placements.map(|placement| {
             let mut placed = placement.map_err(|reason| match reason {
                 Reason::OutOfReach { by, .. } => {
+                    let by = surface.map_or(by, |least| math::min(by, least));
                     Reason::OutOfReach { by, towards: Boundary::Surface, theta1: None }
                 }
                 other => other,
@@ -73,6 +77,19 @@ impl<T: Float> PairBase<T> {
             (placed.rows, placed.shoulder_free, placed.elbow_free) = ([t1, t2, T::lit(0.0)], free, false);
             Ok(placed)
         })
+    }
+
+    /// Where the carried point is, and before the first joint has moved it.
+    fn carried_to(&self, [t1, t2]: [T; 2]) -> ([T; 3], [T; 3]) {
+        let ([first, second], [o1, o2]) = (&self.axes, self.offset);
+        let lifted = second.moved(self.carried, t2 + o2);
+        (first.moved(lifted, t1 + o1), lifted)
+    }
+
+    /// How far `p` is from all that the carried point comes to.
+    fn distance(&self, p: [T; 3]) -> T {
+        let (nearest, _) = self.carried_to(self.closest(p));
+        length(less(nearest, p))
     }
 
     /// The row values that bring the carried point nearest to `p`.
@@ -92,9 +109,8 @@ impl<T: Float> PairBase<T> {
     /// The distance of the point from axis 1, and the angle between the two motions, whichever way they go; where axis 1
     /// slides its distance is not asked for.
     fn margins(&self, [t1, t2]: [T; 2], size: T) -> (T, T) {
-        let ([first, second], [o1, o2]) = (&self.axes, self.offset);
-        let lifted = second.moved(self.carried, t2 + o2);
-        let placed = first.moved(lifted, t1 + o1);
+        let ([first, second], [o1, _]) = (&self.axes, self.offset);
+        let (placed, lifted) = self.carried_to([t1, t2]);
         let (one, two) = (first.velocity(placed), first.turned(second.velocity(lifted), t1 + o1));
         let across = cross(one, two);
         let sine = math::sqrt(dot(&across, &across));
