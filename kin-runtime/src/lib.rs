@@ -119,7 +119,8 @@
 //! # What holds
 //!
 //! * Every solution was checked: forward kinematics returns to the pose within 64 ε, relative to the arm's reach, on planar bases
-//!   and of short arms within 16 ε; what misses is a slot with [`Reason::Inaccurate`]. Two solutions of an answer differ by more than 1e-7 (`f32`: 7√ε).
+//!   and of short arms within 16 ε; what misses is a slot with [`Reason::Inaccurate`]. Two solutions of an answer differ by more
+//!   than 1e-7 (`f32`: 7√ε).
 //! * Windows for round-off are a few ε of the reach. A pose on the boundary is reached; one that misses it by more is
 //!   out of reach, by the distance that the reason tells.
 //! * No input panics, loops for long, or comes back as a NaN in a solution. The only trigonometric functions are those of

@@ -153,11 +153,11 @@ fn judge<A: ClosestPose<6> + InverseKinematics<6>>(
         tally.beyond += 1;
         // A figure's own distance is to points with the first joint as it is, or of one figure: never less than all of them.
         assert!(
-            lengths(&reasons).all(|by| by >= closest.by - 1e-9 * reach),
+            missed(&reasons, false).all(|by| by >= closest.by - 1e-9 * reach),
             "{} {closest:?}\n{reasons}",
             A::NAME
         );
-        assert!(lengths(&reasons).count() > 0, "{}\n{reasons}", A::NAME);
+        assert!(missed(&reasons, false).count() > 0, "{}\n{reasons}", A::NAME);
         let least = searched(reach, slides(arm, base), &reached, centre(&pose), &mut random);
         tally.worse = tally.worse.max((closest.by - least) / reach);
         tally.better = tally.better.max((least - closest.by) / reach);
@@ -170,11 +170,15 @@ fn judge<A: ClosestPose<6> + InverseKinematics<6>>(
     );
 }
 
-/// By how much the slots say that a point is out of reach.
-fn lengths<const N: usize, B: Branch>(solutions: &Solutions<f64, N, B>) -> impl Iterator<Item = f64> {
-    solutions.slots().iter().filter_map(|slot| match slot {
-        Slot::Empty(Reason::OutOfReach { towards: Boundary::WristCone | Boundary::ShoulderCone, .. }) => None,
-        Slot::Empty(Reason::OutOfReach { by, .. }) => Some(*by),
+/// By how much the slots say that a pose is out of reach: angles of those that miss a cone, or lengths of the others.
+fn missed<T: Float + Into<f64>, const N: usize, B: Branch>(
+    solutions: &Solutions<T, N, B>,
+    cones: bool,
+) -> impl Iterator<Item = f64> {
+    solutions.slots().iter().filter_map(move |slot| match slot {
+        Slot::Empty(Reason::OutOfReach { by, towards, .. }) => {
+            (matches!(towards, Boundary::WristCone | Boundary::ShoulderCone) == cones).then(|| (*by).into())
+        }
         _ => None,
     })
 }
@@ -233,7 +237,7 @@ fn slides_go_as_far_as_it_takes() {
 }
 
 fn turns_as_little_as_it_must<A: ClosestPose<6> + InverseKinematics<6>>(arm: &A) {
-    let (mut random, mut turned) = (Sampler::new(53), 0);
+    let (mut random, mut turned, mut cones) = (Sampler::new(53), 0, 0);
     for _ in 0..300 {
         let pose = around(0.8 * arm.reach() / 1.5, &mut random);
         let closest = arm.closest(&pose).expect("the pose is a pose");
@@ -243,21 +247,14 @@ fn turns_as_little_as_it_must<A: ClosestPose<6> + InverseKinematics<6>>(arm: &A)
             // The slot with the same three joints of the base misses the cone by this angle.
             let by = arm.ik(&closest.pose).iter().map(|s| (s.q - closest.q).amax()).fold(9.0, f64::min);
             assert!(by < 1e-3, "{by}");
-            let cones = arm.ik(&pose);
-            let missing = cones.slots().iter().filter_map(|slot| match slot {
-                Slot::Empty(Reason::OutOfReach {
-                    by,
-                    towards: Boundary::WristCone | Boundary::ShoulderCone,
-                    ..
-                }) => Some(*by),
-                _ => None,
-            });
-            // A reachable place has these joints for one of its ways, and is turned by the least that its cone misses.
-            let least = missing.map(|by| (by - closest.turned).abs()).fold(f64::INFINITY, f64::min);
-            assert!(closest.by > 1e-6 * arm.reach() || least < 1e-5, "{least} {closest:?}\n{cones}");
+            // Where some ways miss but the cone, the centre is reached by one of them, and turned by what its cone misses.
+            let solutions = arm.ik(&pose);
+            let apart = missed(&solutions, true).map(|by| (by - closest.turned).abs()).reduce(f64::min);
+            assert!(apart.is_none_or(|apart| apart < 1e-5), "{apart:?} {closest:?}\n{solutions}");
+            cones += usize::from(apart.is_some());
         }
     }
-    assert!(turned > 20, "{turned}");
+    assert!(turned > 20 && cones > 10, "{turned} {cones}");
 }
 
 #[test]
@@ -288,8 +285,13 @@ fn point<const N: usize, T, A>(
         let closest = arm.closest_point(&p).expect("a point");
         assert!(!arm.ik_position(&Point3::from(closest.pose.translation.vector)).is_empty(), "{closest:?}");
         let by: f64 = closest.by.into();
-        if arm.ik_position(&p).is_empty() {
+        let reasons = arm.ik_position(&p);
+        if reasons.is_empty() {
             beyond += 1;
+            // What two joints cannot reach is off their surface, and each figure tells how far; of three, none tells less.
+            let more = || missed(&reasons, false).map(|told| (told - by) / arm.reach());
+            assert!(more().all(|more| more > -tolerance && (N > 2 || more < tolerance)), "{by}\n{reasons}");
+            assert!(more().count() > 0, "{reasons}");
             let reached = |rows: &[f64; N]| {
                 let q: Joints<f64, N> = Joints::from(command(*rows));
                 tool(&Point3::from(arm.fk(&q).translation.vector))

@@ -27,6 +27,12 @@ fn random_joints<A: Arm<6>>(random: &mut Sampler) -> Joints<f64, 6> {
     q
 }
 
+/// Whether the joints of the base are back, joint 2 as far as the pose tells of it where the point passes axis 2 at such a distance.
+fn is_back(s: &Solution<f64, 6, Posture>, q: &Joints<f64, 6>, off: f64) -> bool {
+    let [one, two, three] = [0, 1, 2].map(|i| math::wrap(s.q[i] - q[i]).abs());
+    one < 1e-9 && three < 1e-9 && two < 1e3 * f64::EPSILON / off.abs()
+}
+
 /// The point passes axis 2 at 10⁻ᵏ: round-off leaves nothing of the square of that distance, but the pose still tells the direction.
 #[test]
 fn beside_axis_2_joints_come_back() {
@@ -38,11 +44,7 @@ fn beside_axis_2_joints_come_back() {
             let off = side * 10f64.powi(-k);
             let q = joints![random.between(-PI, PI), random.between(-PI, PI), on_axis + off, 0.4, 0.9, 0.3];
             let solutions = arm.ik(&arm.fk(&q));
-            let near = |s: &&Solution<f64, 6, Posture>| {
-                let [one, two, three] = [0, 1, 2].map(|i| math::wrap(s.q[i] - q[i]).abs());
-                one < 1e-9 && three < 1e-9 && two < 1e3 * f64::EPSILON / off.abs()
-            };
-            assert!(solutions.iter().any(|s| near(&s)), "{k} {side} {q}\n{solutions}");
+            assert!(solutions.iter().any(|s| is_back(s, &q, off)), "{k} {side} {q}\n{solutions}");
         }
     }
 }
@@ -289,15 +291,18 @@ fn beside_axis_1_joint_1_is_told_by_the_place() {
     }
 }
 
+fn lacks(slot: &Slot<f64, 6, Posture>) -> bool {
+    matches!(slot, Slot::Empty(Reason::NoSuchBranch))
+}
+
 /// How many slots of an arm's own poses hold a way of the base, once and again with the other wrist, and that the others say that the
 /// structure has no more.
-fn has_ways<A: InverseKinematics<6>>(arm: &A, ways: usize) {
+fn has_ways<A: InverseKinematics<6, Branch = Posture>>(arm: &A, ways: usize) {
     let mut random = Sampler::new(31);
     for _ in 0..50 {
         let q = random_joints::<A>(&mut random);
         let solutions = arm.ik(&arm.fk(&q));
-        let lacking =
-            solutions.slots().iter().filter(|slot| matches!(slot, Slot::Empty(Reason::NoSuchBranch)));
+        let lacking = solutions.slots().iter().filter(|slot| lacks(slot));
         assert_eq!(
             (solutions.len(), lacking.count()),
             (2 * ways, 8 - 2 * ways),
@@ -321,12 +326,11 @@ fn a_branch_that_the_structure_lacks_says_so() {
         let mut pose = Skew.fk(&random_joints::<Skew>(&mut random));
         pose.translation.vector *= random.between(1.0, 3.0);
         let solutions = Skew.ik(&pose);
-        let lacks = |slot: &Slot<f64, 6, Posture>| matches!(slot, Slot::Empty(Reason::NoSuchBranch));
         assert!(!solutions.slots().iter().all(lacks), "{solutions}");
     }
 }
 
-/// The determinant is the product of three distances and two sines; where the wrist centre comes onto axis 2 it falls with the margin.
+/// Where the wrist centre comes onto axis 2 the determinant vanishes with the motion of joint 2, and the margin with both.
 #[test]
 fn the_elbow_s_margin_falls_towards_axis_2() {
     let mut before = f64::INFINITY;
@@ -383,11 +387,7 @@ fn what_is_carried_straight_through_axis_2_comes_back_on_either_side() {
             let three = if random.below(2) == 0 { 0.5 * PI } else { -0.5 * PI };
             let q = joints![one, two, three + off, four, 0.9, six];
             let solutions = Swinging.ik(&Swinging.fk(&q));
-            let near = |s: &Solution<f64, 6, Posture>| {
-                let [one, two, three] = [0, 1, 2].map(|i| math::wrap(s.q[i] - q[i]).abs());
-                one < 1e-9 && three < 1e-9 && two < 1e3 * f64::EPSILON / off.abs()
-            };
-            assert!(solutions.iter().any(near), "{k} {q}\n{solutions}");
+            assert!(solutions.iter().any(|s| is_back(s, &q, off)), "{k} {q}\n{solutions}");
         }
     }
 }

@@ -81,11 +81,9 @@ fn between<T: Float, V: View>(
     for (count, (posture, both)) in ArmPosture::ALL.iter().zip(plans).enumerate() {
         let (Some((here, by)), Ok(placed)) = (rim(both), posture.of(placements)) else { continue };
         for (there, more) in rims.iter().skip(count).flatten() {
-            let mut middle = here;
-            let mut ways = *there;
-            ways.iter_mut().zip(here).for_each(|(there, here)| *there -= here);
-            let ways = pose::entries(&given_out(ways, &V::Arm::JOINTS));
-            middle.iter_mut().zip(ways).for_each(|(value, way)| *value += way * T::lit(0.5));
+            let start = pose::column(here);
+            let way = given_out(pose::entries(&(pose::column(*there) - start)), &V::Arm::JOINTS);
+            let middle = pose::entries(&(start + way * T::lit(0.5)));
             if let Some(found) = settled(task, *posture, placed, (middle, math::max(by, *more))) {
                 *both = found;
                 return;

@@ -6,8 +6,8 @@ use crate::math::{self, Float};
 /// How many ranges are kept.
 const MOST: usize = 16;
 
-/// Inclusive ranges of an angle: the low end in [-π, π], -π of the whole circle alone, the high end at most one turn further. Sixteen are kept at most,
-/// more than the joints of an arm can cut a circle into unless couplings turn one of them many times.
+/// Inclusive ranges of an angle: the low end in [-π, π], -π of the whole circle alone, the high end at most one turn further.
+/// Sixteen are kept at most, more than the joints of an arm can cut a circle into unless couplings turn one of them many times.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Ranges<T> {
     list: [(T, T); MOST],

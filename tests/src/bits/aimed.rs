@@ -126,33 +126,17 @@ where
     }
 }
 
-fn wrist<A>(arm: &A, number: u32, random: &mut Random, hash: &mut Hash)
+/// Six joints, aimed from whichever end the arm is solved; now and then what is dear, a path or the nearest pose.
+fn six<A>(arm: &A, aims: &Aims, number: u32, random: &mut Random, hash: &mut Hash)
 where
     A: InverseKinematics<6> + Factored<6> + ClosestPose<6>,
 {
-    let q = aimed(arm, &CARRIED, random);
+    let q = aimed(arm, aims, random);
     solved(arm, &q, number, hash);
-    ended(arm, &q, number, random, hash);
-}
-
-fn shoulder<A>(arm: &A, number: u32, random: &mut Random, hash: &mut Hash)
-where
-    A: InverseKinematics<6> + Factored<6> + ClosestPose<6>,
-{
-    let q = aimed(arm, &CARRYING, random);
-    solved(arm, &q, number, hash);
-    ended(arm, &q, number, random, hash);
-}
-
-/// Now and then what is dear: a path, or the nearest pose.
-fn ended<A>(arm: &A, q: &Joints<f64, 6>, number: u32, random: &mut Random, hash: &mut Hash)
-where
-    A: InverseKinematics<6> + ClosestPose<6>,
-{
     match number % 8 {
-        1 => passed(arm, q, random, hash),
+        1 => passed(arm, &q, random, hash),
         2 => {
-            let mut pose = arm.fk(q);
+            let mut pose = arm.fk(&q);
             pose.translation.vector *= 1.0 + random.unit();
             hash.closest(&arm.closest(&pose));
         }
@@ -176,13 +160,13 @@ pub fn hash_aimed(poses: u32) -> u64 {
     for pose in 0..poses {
         let (number, random, hash) = (pose / 8, &mut random, &mut hash);
         match pose % 8 {
-            0 => wrist(&Puma560, number, random, hash),
-            1 => wrist(&LabArm, number, random, hash),
-            2 => wrist(&Irb2400, number, random, hash),
-            3 => wrist(&Stanford, number, random, hash),
-            4 => wrist(&Oblique, number, random, hash),
-            5 => wrist(&Gantry, number, random, hash),
-            6 => shoulder(&Ball, number, random, hash),
+            0 => six(&Puma560, &CARRIED, number, random, hash),
+            1 => six(&LabArm, &CARRIED, number, random, hash),
+            2 => six(&Irb2400, &CARRIED, number, random, hash),
+            3 => six(&Stanford, &CARRIED, number, random, hash),
+            4 => six(&Oblique, &CARRIED, number, random, hash),
+            5 => six(&Gantry, &CARRIED, number, random, hash),
+            6 => six(&Ball, &CARRYING, number, random, hash),
             _ => position(&LabRrr, random, hash),
         }
     }
