@@ -218,6 +218,16 @@ pub(crate) fn transposed<T: Real>([[a, b, c], [d, e, f], [g, h, i]]: &[[T; 3]; 3
     [[*a, *d, *g], [*b, *e, *h], [*c, *f, *i]]
 }
 
+/// The angle between two rotations given by rows, in radians: how far one is turned to be the other, about whatever axis.
+pub(crate) fn angle_between<T: Float>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> T {
+    let apart = a.iter().flatten().zip(b.iter().flatten());
+    let square = apart.fold(T::lit(0.0), |sum, (a, b)| sum + (*a - *b) * (*a - *b));
+    // The Frobenius norm of the difference is √8 times the sine of half the angle.
+    let sine = math::min(math::sqrt(square * T::lit(0.125)), T::lit(1.0));
+    let cosine = math::sqrt_or_zero((T::lit(1.0) - sine) * (T::lit(1.0) + sine));
+    T::lit(2.0) * math::atan2(sine, cosine)
+}
+
 /// The scalar product.
 #[inline(always)]
 pub(crate) fn dot<T: Real>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
@@ -227,7 +237,7 @@ pub(crate) fn dot<T: Real>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::{Random, Text};
+    use crate::sample::{Random, Text, about_z};
     use core::f64::consts::{FRAC_PI_2, PI};
 
     fn difference(a: &Rotation3<f64>, b: &Rotation3<f64>) -> f64 {
@@ -292,5 +302,20 @@ mod tests {
             [4.0, 5.0, 6.0]
         );
         assert_eq!(crate::joints![0.5, 1.0], column([0.5, 1.0]));
+    }
+
+    #[test]
+    fn what_is_turned_by_an_angle_is_that_far_away() {
+        let mut random = Random(17);
+        for angle in [0.0, 1e-17, 1e-12, 1e-7, 1e-3, 0.5, 1.5, 3.0, PI - 1e-3, PI] {
+            for _ in 0..50 {
+                let (from, about) = (random.rotation(), random.rotation());
+                let turned = product(&about, &product(&about_z(angle), &transposed(&about)));
+                let found = angle_between(&product(&turned, &from), &from);
+                // Beside half a turn the sine of half the angle says least: to the root of round-off.
+                let most = if angle > 3.1 { 1e-7 } else { 1e-14 };
+                assert!(math::abs(found - angle) <= most, "{found} for {angle}");
+            }
+        }
     }
 }

@@ -147,14 +147,7 @@ fn told<T: Float, const N: usize, A: Arm<N>>(arm: &A, q: Joints<T, N>, wanted: &
     let pose = arm.fk(&q);
     let ((rotation, [x, y, z]), (other, [a, b, c])) = (pose::rows(&pose), pose::rows(wanted));
     let by = math::hypot(math::hypot(x - a, y - b), z - c);
-    let mut apart = T::lit(0.0);
-    for (entry, other) in rotation.iter().flatten().zip(other.iter().flatten()) {
-        apart = math::hypot(apart, *entry - *other);
-    }
-    // The Frobenius norm of the difference of two rotations is √8 times the sine of half the angle between them.
-    let sine = apart * T::lit(core::f64::consts::FRAC_1_SQRT_2 * 0.5);
-    let cosine = math::sqrt_or_zero((T::lit(1.0) - sine) * (T::lit(1.0) + sine));
-    Closest { q, pose, by, turned: T::lit(2.0) * math::atan2(sine, cosine) }
+    Closest { q, pose, by, turned: pose::angle_between(&rotation, &other) }
 }
 
 /// Row values of the wrist for a pose, or for the nearest orientation that it can follow: axis 6 turned towards axis 4 or away. Of a

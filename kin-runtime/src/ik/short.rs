@@ -350,12 +350,7 @@ impl<T: Float, A> Task<'_, T, A> {
             let by = length(less(p, to));
             return Reason::OutOfReach { by, towards: Boundary::Surface, theta1: None };
         }
-        let apart = r.iter().flatten().zip(wanted.iter().flatten());
-        let square = apart.fold(T::lit(0.0), |sum, (a, b)| sum + (*a - *b) * (*a - *b));
-        // The Frobenius norm of the difference of two rotations is √8 times the sine of half the angle between them.
-        let sine = math::min(math::sqrt(square * T::lit(0.125)), T::lit(1.0));
-        let cosine = math::sqrt_or_zero((T::lit(1.0) - sine) * (T::lit(1.0) + sine));
-        let by = T::lit(2.0) * math::atan2(sine, cosine);
+        let by = pose::angle_between(&r, &wanted);
         if by > T::lit(0.0) { Reason::Orientation { by } } else { Reason::Inaccurate { residual } }
     }
 }

@@ -67,8 +67,9 @@ pub enum Boundary {
     /// to a point that is reached, near the nearest: an upper bound.
     Envelope,
     /// The surface on which two joints carry a point, of an arm that has no more to do it with. The distance that comes with it
-    /// is the least there is, as [`ClosestPoint::closest_point`](crate::ClosestPoint::closest_point) has it; where another
-    /// figure reaches the point, it is to what this one comes to.
+    /// is, of a position that two joints do not reach at all, the least there is, as
+    /// [`ClosestPoint::closest_point`](crate::ClosestPoint::closest_point) has it; else it is to a point that is reached, near
+    /// the nearest: an upper bound.
     Surface,
     /// The reach of the arm as a whole: the pose is so far away that the arm is round-off of the distance, and no figure
     /// was looked at. A slide counts with the travel that its limits allow.
