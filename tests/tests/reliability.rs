@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use kin_runtime::prelude::*;
 use kin_runtime::private::SolveWrist;
 use kin_runtime::{Base, singularity};
-use tests::invented::Twisted;
+use tests::invented::{HandCrossingA, Twisted};
 use tests::reliability::parts::parts;
 use tests::reliability::report;
 use tests::reliability::run::{Order, State, run};
@@ -164,6 +164,22 @@ fn a_way_that_swings_past_the_pole_of_a_sphere_is_traced() {
     // Off the curve there is nothing to follow.
     let away = q + joints![0.0, 0.0, 0.0, 1e-3, 0.0, 0.0];
     assert!(solutions.iter().all(|s| !way::leads(&arm, &target, &away, &[s.q], window)), "{solutions}");
+}
+
+/// Found by this program: in singles the hand's first joint is free but for 12 ε of the pose, which is nothing beside what may be missed,
+/// and takes the shoulder, all but straight, with it all round. Nothing draws a way back to where the pose is met best.
+#[test]
+fn a_way_on_which_one_joint_turns_the_others_is_led_by_it() {
+    let bits = [0x4038_924a_u32, 0xb894_bc82, 0x402d_72cc, 0xbfdf_e3ac, 0xbfc9_0fdb, 0xc021_fbc4];
+    let q = Joints::from(bits.map(f32::from_bits));
+    let (arm, solutions) = (Tried(HandCrossingA, ByTool), HandCrossingA.ik(&HandCrossingA.fk(&q)));
+    let wide = |q: &Joints<f32, 6>| q.map(f64::from);
+    let (target, window) = (HandCrossingA.fk(&wide(&q)), 64.0 * f64::from(f32::EPSILON));
+    let leads =
+        |q: &Joints<f64, 6>| solutions.iter().any(|s| way::leads(&arm, &target, q, &[wide(&s.q)], window));
+    assert!(leads(&wide(&q)), "{solutions}");
+    // Off the ring there is nothing to follow.
+    assert!(!leads(&(wide(&q) + joints![0.0, 0.0, 0.0, 1e-3, 0.0, 0.0])), "{solutions}");
 }
 
 /// Why joints are called blurred: these two vectors are 1e-4 apart, and what they reach is one pose to the last bits.

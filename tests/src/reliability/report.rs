@@ -198,9 +198,10 @@ arms that `dh!` gives an `ik` or `ik_position` the same is meant, and was tried 
   (16 ε, 64 ε on a general base). Ways are looked for by halving: the middle of a piece is brought back onto the pose by
   least-squares steps, until a piece is a sixteenth of the distance or shorter, and its middle off the straight line by a tenth
   of its length at most; or else by following what the arm has lost, in steps that are brought back by a thousandth of their
-  length at most. All its points are then solutions as good as any that may be given out, more than six joints can have isolated
-  ones, so that a solver which is given the pose alone has nothing to prefer one by. Another solution that happens to be as far
-  from the singular sets, the arm on its other side for instance, is not connected to the joints that went in, and does not
+  length at most; or by turning one joint on in small steps, which the others follow. All its points are then solutions as good as
+  any that may be given out, more than six joints can have isolated ones, so that a solver which is given the pose alone has nothing
+  to prefer one by. Another solution that happens to be as far from the singular sets, the arm on its other side for instance, is
+  not connected to the joints that went in, and does not
   count; where no way is found the try counts as lost. At a pose that is singular exactly any member of a family is such a solution,
   whether it came back as a family or not: that it does is what `--test straight`, `crossings`, `shoulders` and `ik` hold. (`cargo test -p tests --test reliability` also looks for ways between
   solutions that their pose does determine, and must find none.)

@@ -4,7 +4,8 @@
 //! halved in its turn, until all pieces are short and their middles lie where they would if the piece were straight, but for a tenth of
 //! its length. Where that fails each end is first moved towards the other along the directions that the arm has lost there, as far as the
 //! pose allows. Where a way turns too sharply for its middle to be near the middle of its ends, as beside the pole of a sphere, it is
-//! traced from one end, step by step, the shorter the more it bends.
+//! traced from one end, step by step, the shorter the more it bends. Where what is lost is lost to the pose's rounding alone, so that
+//! nothing draws back a way that strays, one joint is turned on and the others follow.
 //! At each point of the way forward kinematics meets the pose within what a solution may miss, so that each is as good a solution as
 //! either end, and a solver that is given the rounded pose, and nothing else, has no means of preferring one. There are more points than
 //! any arm of six joints has isolated solutions. How they are found does not matter to that; a way that is not found is held against
@@ -34,6 +35,12 @@ const STRAIGHT: f64 = 1e-3;
 
 /// … in so many steps in all.
 const TRACED: usize = 20_000;
+
+/// One joint leads the others in so many steps at most …
+const LED: usize = 2_000;
+
+/// … each of which they follow in so many.
+const HELD: usize = 4;
 
 /// A direction with a smaller singular value is lost.
 const LOST: f64 = 1e-5;
@@ -148,6 +155,7 @@ pub fn leads<const N: usize>(
     ends.iter().any(|to| search(Manner::Quick).straight(from, &between(arm, from, to)))
         || MANNERS.into_iter().any(|manner| ends.iter().any(|to| search(manner).halved(*from, *to)))
         || ends.iter().any(|to| search(Manner::Quick).traced(from, to))
+        || ends.iter().any(|to| search(Manner::Quick).led_by_one(from, to))
 }
 
 /// What ways are looked for.
@@ -161,10 +169,7 @@ struct Search<'a, const N: usize> {
 impl<const N: usize> Search<'_, N> {
     /// Whether the pose is reached at eight points of a straight piece.
     fn straight(&self, from: &Joints<f64, N>, by: &Joints<f64, N>) -> bool {
-        (1..=8).all(|point| {
-            let here = moved(self.arm, from, &(by * (f64::from(point) / 8.0)));
-            missing(self.arm, &self.arm.reached(&here), self.target).1 <= self.window
-        })
+        (1..=8).all(|point| self.reaches(&moved(self.arm, from, &(by * (f64::from(point) / 8.0)))))
     }
 
     /// Whether halving finds a way.
@@ -232,6 +237,54 @@ impl<const N: usize> Search<'_, N> {
             }
         }
         false
+    }
+
+    /// Whether one joint that turns on, either way round, takes the others with it from one end to the other.
+    fn led_by_one(&self, from: &Joints<f64, N>, to: &Joints<f64, N>) -> bool {
+        let by = between(self.arm, from, to);
+        let joints = self.arm.joints().into_iter().enumerate().filter(|(_, joint)| !slides(joint));
+        let ways = joints
+            .flat_map(|(joint, _)| [by[joint], by[joint] - TAU.copysign(by[joint])].map(|by| (joint, by)));
+        self.reaches(from)
+            && ways
+                .filter(|(_, by)| by.abs() > SHORT)
+                .any(|(joint, by)| self.comes_with(joint, by, *from, to))
+    }
+
+    /// Whether a joint that turns by so much brings the others to the end, in steps that are ways themselves.
+    fn comes_with(&self, joint: usize, by: f64, mut here: Joints<f64, N>, end: &Joints<f64, N>) -> bool {
+        let (mut done, mut step) = (0.0, SHORT * SHORT);
+        for _ in 0..LED {
+            if done >= 1.0 {
+                return self.halved(here, *end);
+            }
+            let share = step.min(1.0 - done);
+            let mut ahead = here;
+            ahead[joint] += share * by;
+            let is_near = |ahead: &Joints<f64, N>| {
+                between(self.arm, &here, ahead).amax() <= SHORT && self.halved(here, *ahead)
+            };
+            match self.held(joint, ahead).filter(is_near) {
+                Some(ahead) => (here, done, step) = (ahead, done + share, 2.0 * step),
+                None => step = 0.25 * share,
+            }
+        }
+        false
+    }
+
+    fn reaches(&self, q: &Joints<f64, N>) -> bool {
+        missing(self.arm, &self.arm.reached(q), self.target).1 <= self.window
+    }
+
+    /// Joint values near those given that reach the pose, one of them as it is.
+    fn held(&self, joint: usize, mut q: Joints<f64, N>) -> Option<Joints<f64, N>> {
+        for _ in 0..HELD {
+            let (pose, velocities) = self.arm.at(&q);
+            let mut velocities = jacobian(self.arm, &velocities);
+            velocities.column_mut(joint).fill(0.0);
+            q = moved(self.arm, &q, &damped(&velocities, &missing(self.arm, &pose, self.target).0)?);
+        }
+        self.reaches(&q).then_some(q)
     }
 
     /// Nearer to other joint values, along each direction that the arm has lost.
