@@ -6,7 +6,7 @@
 # Needs cargo-mutants (`cargo install cargo-mutants --version 27.1.0`) and Python. The changes are those of cargo-mutants. To build
 # every arm again for each of them would take days, so switch.py writes all of them into one copy of the sources, and a
 # variable says which is on. Each is given to the programs of tests that meet its function, one after the other, until one fails.
-# Half an hour on one core, most of it to build. Prints how many were caught of those that compile, and those that were not;
+# An hour or two on one core, most of it to build. Prints how many were caught of those that compile, and those that were not;
 # survivors.md says why of each. Run again it goes on where it was ended, and asks anew only of programs that have changed; sources
 # that have changed want a new folder.
 set -euo pipefail

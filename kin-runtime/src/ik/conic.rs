@@ -270,6 +270,15 @@ mod tests {
     use crate::sample::Random;
 
     #[test]
+    fn ways_that_begin_at_one_place_are_beside_each_other() {
+        let at = |first: f64, third: f64| Way { first, third, free: false, open: false };
+        let (way, little) = (at(0.3, -0.4), 1e-3 * math::sqrt(f64::EPSILON));
+        assert!(way.is_beside(&way) && way.is_beside(&at(0.3 + little, -0.4 - little)));
+        assert!(!way.is_beside(&at(0.3 + 1e-6, -0.4)) && !way.is_beside(&at(0.3, -0.4 + 1e-6)));
+        assert!(at(0.0, 0.0).is_beside(&at(little, -little)));
+    }
+
+    #[test]
     fn a_quadratic_has_its_roots_on_the_sides_of_its_slope() {
         let mut random = Random(71);
         for _ in 0..20_000 {

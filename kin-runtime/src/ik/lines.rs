@@ -72,3 +72,47 @@ impl<T: Float> Planar<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::base::{ElbowBase, TelescopeBase};
+    use crate::ik::general::{length, less};
+    use crate::sample::Random;
+
+    /// What the figures place, the axes do too, whichever way a joint turns and wherever its figure value is nothing.
+    #[test]
+    fn the_axes_carry_the_point_where_the_figures_do() {
+        let mut random = Random(86);
+        let mut placed = 0;
+        for _ in 0..2_000 {
+            let offset = [random.angle(), random.angle(), random.within(-0.2, 0.2)];
+            let reversed = [(); 3].map(|()| random.coin());
+            let (twist, lateral, reach) = ((0.6, 0.8), 0.05, 1.0);
+            let base = if random.coin() {
+                Base::Elbow(ElbowBase {
+                    a1: 0.1,
+                    twist,
+                    lateral,
+                    upper: 0.4,
+                    fore: 0.3,
+                    offset,
+                    reversed,
+                    reach,
+                })
+            } else {
+                Base::Telescope(TelescopeBase { a1: 0.1, twist, lateral, arm: 0.2, offset, reversed, reach })
+            };
+            let p = [(); 3].map(|()| random.within(-0.5, 0.5));
+            let GeneralBase { axes: [first, second, third], carried, offset: [o1, o2, o3], .. } =
+                base.lines();
+            for found in base.place(p, 1.0, [None; 2]).iter().flatten() {
+                let [t1, t2, t3] = found.rows;
+                let reached = first.moved(second.moved(third.moved(carried, t3 + o3), t2 + o2), t1 + o1);
+                assert!(length(less(reached, p)) < 1e-12, "{base:?} {p:?} {reached:?}");
+                placed += 1;
+            }
+        }
+        assert!(placed > 2_000, "{placed}");
+    }
+}

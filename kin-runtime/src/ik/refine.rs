@@ -348,3 +348,118 @@ impl<T: Float> Stance<T> {
         (largest(step) <= T::lit(0.25)).then_some(step)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::general::{Axis, GeneralBase};
+    use crate::sample::Random;
+    use crate::solutions::Branch;
+
+    fn vector(random: &mut Random) -> [f64; 3] {
+        [(); 3].map(|()| random.within(-1.0, 1.0))
+    }
+
+    fn stance(random: &mut Random) -> Stance<f64> {
+        Stance { missed: vector(random), velocities: [(); 3].map(|()| vector(random)) }
+    }
+
+    #[test]
+    fn a_parabola_is_known_from_three_of_its_values() {
+        let mut random = Random(81);
+        for _ in 0..1_000 {
+            let (bend, middle, half) =
+                (random.within(0.5, 2.0), random.within(-0.1, 0.1), random.within(0.0, 0.1));
+            let bend = if random.coin() { bend } else { -bend };
+            let at = |x: f64| bend * ((x - middle) * (x - middle) - half * half);
+            let (found, apart) = parabola(at(0.0), at);
+            assert!((found - middle).abs() < 1e-7 && (apart - half).abs() < 1e-4, "{found} {apart}");
+            assert!((apart * apart - half * half).abs() < 1e-7, "{apart} {half}");
+            // Above its middle it has no roots.
+            let (_, apart) = parabola(at(0.0) + bend, |x| at(x) + bend);
+            assert_eq!(apart, 0.0);
+        }
+    }
+
+    #[test]
+    fn the_longest_is_found_wherever_it_stands() {
+        let [short, long, middling] = [[1.0, 0.0, 0.0], [0.0, -3.0, 4.0], [0.0, 0.0, 2.0]];
+        for vectors in [[long, short, middling], [short, long, middling], [middling, short, long]] {
+            assert_eq!(longest(vectors), [0.0, -0.6, 0.8]);
+        }
+    }
+
+    /// Along what is lost nothing moves; across it the gap is closed as far as two directions can.
+    #[test]
+    fn a_step_across_what_is_lost_is_the_best() {
+        let mut random = Random(82);
+        for _ in 0..1_000 {
+            let (stance, along) = (stance(&mut random), vector(&mut random));
+            let along = along.map(|c| c / length(along));
+            let step = stance.closing(along);
+            let [a, b, c] = stance.velocities;
+            let moved = |[x, y, z]: [f64; 3]| plus(plus(a.map(|v| v * x), b, y), c, z);
+            let left = less(stance.missed, moved(step));
+            let one = across(along);
+            assert!(dot(&step, &along).abs() < 1e-9 * (1.0 + length(step)), "{step:?}");
+            for direction in [one, cross(along, one)] {
+                assert!(dot(&left, &moved(direction)).abs() < 1e-7, "{left:?}");
+            }
+        }
+        // One of the two directions may not move the point at all: then the other does what it can.
+        let (x, none) = ([1.0, 0.0, 0.0], [0.0; 3]);
+        for velocities in [[x, none, none], [none, x, none]] {
+            let stance = Stance { missed: [0.25, 0.5, 0.0], velocities };
+            let step = stance.closing([0.0, 0.0, 1.0]);
+            assert!((length(step) - 0.25).abs() < 1e-12, "{step:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_lost_goes_up_with_the_elbow() {
+        let mut random = Random(83);
+        for _ in 0..1_000 {
+            let stance = stance(&mut random);
+            for posture in ArmPosture::ALL {
+                let Lost { along: [_, _, third], .. } = stance.lost(*posture);
+                assert_eq!(third > 0.0, posture.elbow == Elbow::Up, "{third}");
+            }
+            // Joints 1 and 2 move the point along one line: what is lost is theirs alone.
+            let [a, _, c] = stance.velocities;
+            let stance = Stance { velocities: [a, a.map(|v| -2.0 * v), c], ..stance };
+            for posture in ArmPosture::ALL {
+                let Lost { along: [one, _, third], .. } = stance.lost(*posture);
+                let is_left = (posture.shoulder == Shoulder::Left) == (posture.elbow == Elbow::Up);
+                assert_eq!((third.abs() < 1e-12, one > 0.0), (true, is_left), "{one} {third}");
+            }
+        }
+    }
+
+    /// Joint 1 has two values at which a point beside its axis is as far along the normal of what joints 2 and 3 can do.
+    #[test]
+    fn across_the_first_axis_the_point_is_as_near_the_plane_of_the_others() {
+        let mut random = Random(84);
+        let mut apart = 0;
+        for _ in 0..200 {
+            let [v1, v2, v3] = [(); 3].map(|()| random.angle());
+            let axis = |direction, point| Axis { slides: false, direction, point };
+            let second = axis([0.0, 0.6, 0.8], [0.2, 0.1, 0.3]);
+            let third = axis([0.48, -0.6, 0.64], [0.5, 0.2, 0.4]);
+            let carried = [0.8, -0.1, 0.6];
+            let placed = second.moved(third.moved(carried, v3), v2);
+            let first = axis([0.0, 0.0, 1.0], plus(placed, [1.0, 0.0, 0.0], 1e-7));
+            let base = GeneralBase { axes: [first, second, third], carried, offset: [0.0; 3], reach: 1.0 };
+            let point = first.moved(placed, v1);
+            let sized = base.sized(point, 1.0);
+            assert!(sized.is_beside_first());
+            let stance = sized.stance([v1, v2, v3], false);
+            let [other, ..] = sized.across_first([v1, v2, v3], &stance);
+            let [_, two, three] = stance.velocities;
+            let (normal, seen) = (cross(two, three), |v1: f64| first.moved(point, -v1));
+            let along = dot(&normal, &less(seen(other), seen(v1))) / length(normal);
+            assert!(along.abs() < 1e-14, "{along}");
+            apart += usize::from(math::abs(math::wrap(other - v1)) > 0.1);
+        }
+        assert!(apart > 150, "{apart}");
+    }
+}

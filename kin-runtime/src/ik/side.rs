@@ -68,3 +68,20 @@ pub(super) fn slots<T: Float>(
         Slot::Solved(Solution { branch, q: pose::column(q), residual, margins, free: Free::NOTHING })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solutions::{ArmPosture, Branch};
+
+    #[test]
+    fn placements_stand_in_the_order_of_their_names() {
+        assert_eq!(ArmPosture::ALL.len(), SIDES.len());
+        for posture in ArmPosture::ALL {
+            let lane = usize::from(posture.shoulder == Shoulder::Left)
+                + 2 * usize::from(posture.elbow == Elbow::Down);
+            let wanted = (posture.shoulder == Shoulder::Right, posture.elbow == Elbow::Up);
+            assert_eq!((SIDES[lane] > 0.0, ELBOWS[lane] > 0.0), wanted, "{posture}");
+        }
+    }
+}
