@@ -239,16 +239,20 @@ impl<const N: usize> Search<'_, N> {
         false
     }
 
-    /// Whether one joint that turns on, either way round, takes the others with it from one end to the other.
+    /// Whether one joint that turns on, either way round, takes the others with it from one end to the other: only where so much is lost
+    /// that the pose hardly sees a piece of it.
     fn led_by_one(&self, from: &Joints<f64, N>, to: &Joints<f64, N>) -> bool {
+        let (_, sizes, _) = decomposed(&jacobian(self.arm, &self.arm.at(from).1));
+        let least = sizes.iter().take(N).copied().fold(f64::INFINITY, f64::min);
+        if least * SHORT > self.window || !self.reaches(from) {
+            return false;
+        }
         let by = between(self.arm, from, to);
         let joints = self.arm.joints().into_iter().enumerate().filter(|(_, joint)| !slides(joint));
-        let ways = joints
-            .flat_map(|(joint, _)| [by[joint], by[joint] - TAU.copysign(by[joint])].map(|by| (joint, by)));
-        self.reaches(from)
-            && ways
-                .filter(|(_, by)| by.abs() > SHORT)
-                .any(|(joint, by)| self.comes_with(joint, by, *from, to))
+        joints
+            .flat_map(|(joint, _)| [by[joint], by[joint] - TAU.copysign(by[joint])].map(|by| (joint, by)))
+            .filter(|(_, by)| by.abs() > SHORT)
+            .any(|(joint, by)| self.comes_with(joint, by, *from, to))
     }
 
     /// Whether a joint that turns by so much brings the others to the end, in steps that are ways themselves.
